@@ -38,6 +38,11 @@ float distance_of(const ClothModel& model, const SelfCollision& of) {
     return of.distance > 0 ? of.distance : part * model.info.mean_edge;
 }
 
+/// Room for those that are in the equation.
+std::size_t pairs_in_equation(const ClothModel& model, const SelfCollision& of) {
+    return has_features(of) && !has_zones(of) ? FeatureContact::room_for_pairs(model.particle_count) : 0;
+}
+
 bool has_avoidance(const SelfCollision& settings) {
     return settings.enabled && settings.method == SelfCollisionMethod::avoidance;
 }
@@ -128,7 +133,7 @@ Cloth::Cloth(ClothModel cooked, const ClothSettings& initial, SavedCloth&& saved
     solver = make_solver(model, initial, state.positions.span(), levels);
     limits = make_limits(model, initial, {});
     if (is_second_order(initial, *solver)) {
-        history.emplace(model.particle_count, unmade);
+        history.emplace();
         state.record = StepRecord(model.particle_count, unmade);
     }
     apply(initial);
@@ -154,15 +159,15 @@ std::unique_ptr<Solver> Cloth::solver_for(const ClothSettings& changed) const {
     return made;
 }
 
-void Cloth::apply(const ClothSettings& changed) {
-    if (changed.fabric.bending_ratio == model.bending_ratio) return apply_to_model(changed);
+void Cloth::apply(const ClothSettings& changed, const MakeRoom& make_room) {
+    if (changed.fabric.bending_ratio == model.bending_ratio) return apply_to_model(changed, make_room);
     ClothModel other = with_bending_ratio(model, changed.fabric.bending_ratio);
     std::swap(model, other);
-    or_undo([&] { apply_to_model(changed); }, [&] { std::swap(model, other); });
+    or_undo([&] { apply_to_model(changed, make_room); }, [&] { std::swap(model, other); });
     bending_per_area = find_bending_per_area(model);
 }
 
-void Cloth::apply_to_model(const ClothSettings& changed) {
+void Cloth::apply_to_model(const ClothSettings& changed, const MakeRoom& make_room) {
     std::unique_ptr<Solver> other_solver = solver_for(changed);
     const Solver& with = other_solver ? *other_solver : *solver;
     const bool second_order = is_second_order(changed, with);
@@ -171,7 +176,7 @@ void Cloth::apply_to_model(const ClothSettings& changed) {
     std::optional<History> new_history;
     StepRecord new_record;
     if (second_order && !history) {
-        new_history.emplace(model.particle_count);
+        new_history.emplace();
         new_record = StepRecord(model.particle_count);
     }
     const SelfCollision& self_collision = changed.self_collision;
@@ -196,6 +201,11 @@ void Cloth::apply_to_model(const ClothSettings& changed) {
     if (!other_solver) solver->make_own(changed);
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
                               self_collision.mask != settings.self_collision.mask;
+    const bool has_new_mesh = new_features && new_features->mesh;
+    const std::size_t bytes =
+        scratch_of_steps(other_solver ? *other_solver : *solver, second_order, self_collision,
+                         has_new_mesh ? new_features->mesh.get() : contact_mesh.get());
+    if (make_room) make_room(bytes);
 
     // From here on nothing can fail.
     const bool is_other_density = changed.fabric.areal_density != settings.fabric.areal_density;
@@ -228,6 +238,7 @@ void Cloth::apply_to_model(const ClothSettings& changed) {
         self_counts = {};
     }
     take_features(std::move(new_features), self_collision);
+    scratch_bytes = bytes;
     if (has_features() && (meets_others || !same_method)) state.may_cross = 1;
     if (!self_collision.enabled) rest_neighbours.reset();
     take_contacts(std::move(new_contacts), has_colliders_);
@@ -249,13 +260,31 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
         state.may_cross = 1;
     }
     if (has_zones(of)) solver->reserve_pairs(0);
-    scratch_bytes = weft::scratch_bytes(weft::has_features(of) ? contact_mesh.get() : nullptr, has_zones(of));
     if (weft::has_features(of)) return;
     contact_mesh.reset();
     solver->reserve_pairs(0);
     state.tangles = {};
     state.may_cross = state.halved = 0;
     feature_counts = {};
+}
+
+void Cloth::lay_out(Scratch& scratch) {
+    if (history) history->lay_out(scratch, model.particle_count);
+    solver->lay_out(scratch, pairs_in_equation(model, settings.self_collision));
+}
+
+void Cloth::take_solver(std::unique_ptr<Solver>&& made) {
+    solver = std::move(made);
+    scratch_bytes =
+        scratch_of_steps(*solver, history.has_value(), settings.self_collision, contact_mesh.get());
+}
+
+std::size_t Cloth::scratch_of_steps(Solver& with, bool second_order, const SelfCollision& of,
+                                    const ContactMesh* mesh) const {
+    Scratch scratch;
+    if (second_order) History().lay_out(scratch, model.particle_count);
+    with.lay_out(scratch, pairs_in_equation(model, of));
+    return scratch.bytes() + weft::scratch_bytes(weft::has_features(of) ? mesh : nullptr, has_zones(of));
 }
 
 /// All or none.

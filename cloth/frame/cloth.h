@@ -2,7 +2,9 @@
 // A cloth in a World: its rest model, its state, and the memory that its steps need. Calls of the host make
 // and free that memory; no step does.
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -131,8 +133,11 @@ struct Cloth {
     /// no World, and from now on does not change.
     Cloth(const Cloth& cooked);
 
+    /// Is told how much scratch steps then take, before anything has changed, and may throw; empty: of no
+    /// World.
+    using MakeRoom = std::function<void(std::size_t bytes)>;
     /// Takes validated settings over.
-    void apply(const ClothSettings& changed);
+    void apply(const ClothSettings& changed, const MakeRoom& make_room = {});
     /// Holds particles where they are. Those that are pinned already stay so.
     void pin(std::span<const std::uint32_t> particles);
     void pin(std::uint32_t particle) { pin(std::span(&particle, 1)); }
@@ -204,7 +209,7 @@ struct Cloth {
                 .least_bounce = least_bounce};
     }
     /// Takes a checked map over, or none; see worn/maps.cpp.
-    void set_map(Map map, AlignedBuffer<float>&& values);
+    void set_map(Map map, AlignedBuffer<float>&& values, const MakeRoom& make_room = {});
 
     /// Mass of a free particle [kg]; 0 for loose ones.
     [[nodiscard]] float mass(std::uint32_t particle) const {
@@ -234,7 +239,11 @@ struct Cloth {
     /// velocities as they were before a stage that tells what it gave.
     AlignedBuffer<Vec4> scratch_velocities;
     std::optional<History> history;  ///< only with BDF2
-    WornLimits worn;                 ///< leashes and backstops
+    /// Lays out what a substep makes anew, but for features.
+    void lay_out(Scratch& scratch);
+    /// Another solver than that of its settings, for studies. Precondition: it is in no World.
+    void take_solver(std::unique_ptr<Solver>&& made);
+    WornLimits worn;  ///< leashes and backstops
     ClothSideBuffers side_buffers;
     float bending_per_area = 0;                     ///< see find_bending_per_area() [1/m^4]
     AlignedBuffer<float> areas_without_map;         ///< the model's, where a map of masses has changed them
@@ -317,10 +326,14 @@ struct Cloth {
 
   private:
     /// For a model with the bending of these settings.
-    void apply_to_model(const ClothSettings& changed);
+    void apply_to_model(const ClothSettings& changed, const MakeRoom& make_room);
     bool has_colliders_ = false;
     std::size_t shared_bytes_ = 0;  ///< with all others of one CookedCloth
 
+    /// All that its steps take of the World's scratch with such settings of contact, and a mesh of features
+    /// or none.
+    [[nodiscard]] std::size_t scratch_of_steps(Solver& with, bool second_order, const SelfCollision& of,
+                                               const ContactMesh* mesh) const;
     [[nodiscard]] std::size_t own_bytes() const;
     [[nodiscard]] bool is_second_order(const ClothSettings& of, const Solver& with) const;
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders, const ClothSettings& of,
@@ -333,16 +346,16 @@ struct Cloth {
     void change_pins(std::vector<Pin>&& pins);
     void start_at_rest();
     void set_inverse_masses();
-    [[nodiscard]] std::unique_ptr<Solver> make_other_solver() const;
-    void take_other_solver(std::unique_ptr<Solver>&& made) noexcept;
-    void set_masses(AlignedBuffer<float>&& values);
-    void set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map);
+    void remake_solver(const MakeRoom& make_room);
+    void set_masses(AlignedBuffer<float>&& values, const MakeRoom& make_room);
+    void set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map,
+                   const MakeRoom& make_room);
     void take_areas(const Cloth& before, std::span<const std::uint32_t> sources);
     void take_pins(const Cloth& before, std::span<const std::uint32_t> sources);
     void take_contact(const ClothState& before, std::span<const std::uint32_t> sources);
     void take_rest(const Cloth& before, bool is_split);
     void part_copies(std::span<const std::uint32_t> sources);
-    void set_stiffness(AlignedBuffer<float>&& values);
+    void set_stiffness(AlignedBuffer<float>&& values, const MakeRoom& make_room);
     [[nodiscard]] AlignedBuffer<float>& values_of(Map map) noexcept;
     void set_worn_map(Map map, AlignedBuffer<float>&& values);
     [[nodiscard]] float inverse_mass_when_free(std::uint32_t particle) const;

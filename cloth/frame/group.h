@@ -40,8 +40,8 @@ struct Group {
     }
 };
 
-/// Bytes of scratch that a cloth takes alone, and at most adds to what a group takes. `mesh` is that of its
-/// features, or null.
+/// Bytes of scratch that features take in a group of one cloth, and at most add to what a group takes. `mesh`
+/// is theirs, or null.
 [[nodiscard]] std::size_t scratch_bytes(const ContactMesh* mesh, bool by_zones) noexcept;
 
 }  // namespace weft

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -92,8 +94,10 @@ Simulation::Simulation(const WorldSettings& initial)
 void Simulation::apply(const WorldSettings& changed) {
     std::optional<Parallel> threads;
     Motions motions_of_threads;
+    Room room;
     if (!have_same_threads(changed, settings)) {
         threads.emplace(make_parallel(changed));
+        room = make_room(nullptr, threads->width());
         motions_of_threads = make_motions(threads->width(), state.colliders.size());
     }
     std::optional<ContactReports> reports;
@@ -128,6 +132,7 @@ void Simulation::apply(const WorldSettings& changed) {
     }
 
     // From here on nothing can fail.
+    take(std::move(room));
     if (threads) {
         parallel = *std::move(threads);
         parallel.trace_to(&profiler.trace());
@@ -144,7 +149,9 @@ void Simulation::apply(const WorldSettings& changed) {
 
 ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
     reserve_cloth(*this);
-    Room room = make_room(nullptr, cloth->settings.self_collision, cloth->contact_mesh.get());
+    const Newcomer newcomer{nullptr, cloth->scratch_bytes, cloth->settings.self_collision,
+                            cloth->contact_mesh.get()};
+    Room room = make_room(&newcomer, parallel.width());
     const ClothId id = cloths.insert(std::move(cloth));
     take(std::move(room));
     return id;
@@ -156,32 +163,59 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     or_undo(
         [&] {
             if (has_features(of)) cloth.make_contact_mesh();
-            room = make_room(&cloth, of, cloth.contact_mesh.get());
-            cloth.apply(changed);
+            cloth.apply(changed, [&](std::size_t bytes) {
+                const Newcomer newcomer{&cloth, bytes, of, cloth.contact_mesh.get()};
+                room = make_room(&newcomer, parallel.width());
+            });
         },
         [&] { cloth.drop_contact_mesh(); });
     take(std::move(room));
 }
 
-// Scratch that is made anew has room for an eighth more of such cloths as there are: so few of n cloths that
-// are added one after the other make it, and it is hardly larger than it has to be.
-Simulation::Room Simulation::make_room(const Cloth* changed, const SelfCollision& of,
-                                       const ContactMesh* mesh) const {
-    std::size_t bytes = scratch_bytes(has_features(of) ? mesh : nullptr, has_zones(of)), count = 1;
-    std::size_t by_zones = has_zones(of) ? FeatureContact::particles_of(*mesh) : 0;
-    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        if (cloth.get() == changed) return;
-        bytes += cloth->scratch_bytes;
-        ++count;
-        if (has_zones(cloth->settings.self_collision))
-            by_zones += FeatureContact::particles_of(*cloth->contact_mesh);
-    });
+void Simulation::set_map(Cloth& cloth, Map map, AlignedBuffer<float>&& values) {
     Room room;
-    if (bytes > scratch.bytes()) room.scratch = ScratchMemory(bytes + bytes / count * (count / 8));
-    if (by_zones > zone_particles) {
+    cloth.set_map(map, std::move(values), [&](std::size_t bytes) {
+        const Newcomer newcomer{&cloth, bytes, cloth.settings.self_collision, cloth.contact_mesh.get()};
+        room = make_room(&newcomer, parallel.width());
+    });
+    take(std::move(room));
+}
+
+// Cloths that may touch or share a body may all be one group. Of the others each thread has one at a time.
+Simulation::RoomTaken Simulation::room_taken(const Newcomer* newcomer, int threads) const {
+    RoomTaken taken;
+    std::vector<std::size_t> alone;
+    alone.reserve(cloths.size() + 1);
+    const auto add = [&](std::size_t bytes, const SelfCollision& of, const ContactMesh* mesh) {
+        if (has_zones(of)) taken.by_zones += FeatureContact::particles_of(*mesh);
+        if (!has_features(of) && state.bodies.size() == 0) return alone.push_back(bytes);
+        taken.in_groups += bytes;
+        ++taken.grouped;
+    };
+    if (newcomer != nullptr) add(newcomer->scratch_bytes, newcomer->of, newcomer->mesh);
+    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
+        if (newcomer != nullptr && cloth.get() == newcomer->in_place_of) return;
+        add(cloth->scratch_bytes, cloth->settings.self_collision, cloth->contact_mesh.get());
+    });
+    const auto most = alone.begin() + std::min<std::ptrdiff_t>(threads, std::ssize(alone));
+    std::ranges::nth_element(alone, most, std::ranges::greater());
+    taken.alone = std::accumulate(alone.begin(), most, std::size_t{0});
+    return taken;
+}
+
+// Scratch of groups that is made anew has room for an eighth more of such cloths as there are: so few of n
+// cloths that are added one after the other make it, and it is hardly larger than it has to be.
+Simulation::Room Simulation::make_room(const Newcomer* newcomer, int threads) const {
+    const RoomTaken taken = room_taken(newcomer, threads);
+    Room room;
+    if (taken.in_groups + taken.alone > scratch.bytes()) {
+        const std::size_t one = taken.in_groups / std::max<std::size_t>(taken.grouped, 1);
+        room.scratch = ScratchMemory(taken.in_groups + one * (taken.grouped / 8) + taken.alone);
+    }
+    if (taken.by_zones > zone_particles) {
         room.zones = std::make_unique<ImpactZones>();
-        room.zones->reserve(by_zones, FeatureContact::room_for_pairs(by_zones));
-        room.zone_particles = by_zones;
+        room.zones->reserve(taken.by_zones, FeatureContact::room_for_pairs(taken.by_zones));
+        room.zone_particles = taken.by_zones;
     }
     return room;
 }
@@ -193,14 +227,12 @@ void Simulation::take(Room&& room) noexcept {
     zone_particles = room.zone_particles;
 }
 
-std::size_t Simulation::bytes_to_spare() const noexcept {
-    std::size_t used = 0;
-    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        used += cloth->scratch_bytes + cloth->zone_bytes();
-    });
+std::size_t Simulation::bytes_to_spare() const {
+    const RoomTaken taken = room_taken(nullptr, parallel.width());
+    std::size_t used = taken.in_groups + taken.alone;
+    cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) { used += cloth->zone_bytes(); });
     // Few cloths by zones share the least number of pairs, which each of them counts.
-    const std::size_t all = scratch.bytes() + (zones ? zones->bytes() : 0);
-    return all - std::min(all, used);
+    return common_bytes() - std::min(common_bytes(), used);
 }
 
 void Simulation::cloth_has_gone() noexcept {

@@ -75,6 +75,7 @@ struct Simulation {
 
     /// Takes validated settings of a cloth over.
     void apply(Cloth& cloth, const ClothSettings& changed);
+    void set_map(Cloth& cloth, Map map, AlignedBuffer<float>&& values);
     /// Sees to what the cloth needs in a frame: room for the colliders as it sees them.
     void set_frame(Cloth& cloth, const Transform& pose);
     /// Teleports a cloth; or all, with all else. What is moved is checked beforehand.
@@ -108,7 +109,11 @@ struct Simulation {
     std::int64_t (*cost_of)(const Cloth& cloth) = nullptr;
 
     /// Bytes that steps have and no cloth counts as its own.
-    [[nodiscard]] std::size_t bytes_to_spare() const noexcept;
+    [[nodiscard]] std::size_t bytes_to_spare() const;
+    /// All that they have in common.
+    [[nodiscard]] std::size_t common_bytes() const noexcept {
+        return scratch.bytes() + (zones ? zones->bytes() : 0);
+    }
 
     /// Wakes all cloths; those near a collider; those that may touch a cloth. A cloth that is awake stays so
     /// for a while.
@@ -136,10 +141,23 @@ struct Simulation {
         std::unique_ptr<ImpactZones> zones;
         std::size_t zone_particles = 0;
     };
-    /// Makes what there is too little of when a cloth comes, or changes, with these settings and this mesh of
-    /// features. May throw.
-    [[nodiscard]] Room make_room(const Cloth* changed, const SelfCollision& of,
-                                 const ContactMesh* mesh) const;
+    /// A cloth that comes, or takes another's place, with so much scratch and this mesh of features.
+    struct Newcomer {
+        const Cloth* in_place_of;
+        std::size_t scratch_bytes;
+        const SelfCollision& of;
+        const ContactMesh* mesh;
+    };
+    /// What all cloths take of that memory, whichever of them are solved together.
+    struct RoomTaken {
+        std::size_t in_groups = 0,
+                    grouped = 0;   ///< bytes of those that may form groups, and how many these are
+        std::size_t alone = 0;     ///< of others, whose memory those that come later use again
+        std::size_t by_zones = 0;  ///< particles
+    };
+    [[nodiscard]] RoomTaken room_taken(const Newcomer* newcomer, int threads) const;
+    /// Makes what there is too little of. May throw.
+    [[nodiscard]] Room make_room(const Newcomer* newcomer, int threads) const;
     void take(Room&& room) noexcept;
 
     // What a step finds; nothing of it is needed by the next, but for what a budget has learnt.
@@ -153,7 +171,7 @@ struct Simulation {
     std::vector<ColliderId> collider_ids;              ///< by index; only where contacts are reported
     ContactReports contact_reports;
     std::unique_ptr<BodyStage> body_stage;  ///< null: there are no bodies
-    ScratchMemory scratch;                  ///< of all cloths, group by group
+    ScratchMemory scratch;                  ///< of all cloths, one part for each thread
     std::unique_ptr<ImpactZones> zones;     ///< null: no cloth needs any
     std::size_t zone_particles = 0;         ///< that they have memory for
     Parallel serial{1};

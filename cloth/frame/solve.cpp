@@ -335,6 +335,7 @@ void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, fl
     Scratch scratch(worker.scratch);
     Group group;
     group.lay_out(scratch, cloths.size());
+    for (Cloth* cloth : cloths) cloth->lay_out(scratch);
     group.add_featured(cloths);
     const bool with_bodies = any_meets_bodies(cloths);
     if (with_bodies) take_bodies(world, cloths, substep.h);

@@ -47,25 +47,26 @@ void share_out_time(const Schedule::Group& group, std::int64_t nanoseconds) {
             nanoseconds * cloth->model.particle_count / std::max<std::int64_t>(particles, 1);
 }
 
-// First the threads take what suits one of them, each the next group that is left, then all of them work on
-// one large group after the other. No loop runs within another.
+// First the threads take what suits one of them, the k-th begins with the k-th group, and each goes on with
+// the next that is left, then all of them work on one large group after the other. No loop runs within
+// another.
 template <class Work>
 void for_each_group(Simulation& world, const Schedule& schedule, const Work& work) {
     const auto take = [&](Worker& worker, const Schedule::Group& group) {
         const auto timer = world.timed(Stage::cloths);
         const std::int64_t begin = world.clock();
-        worker.make_room(world.scratch.data() + group.scratch, group.scratch_bytes);
         work(worker, group.cloths);
         share_out_time(group, world.clock() - begin);
     };
     const std::span<const Schedule::Group> small = schedule.side_by_side();
-    std::atomic<std::size_t> next = 0;
-    world.parallel.blocks(
-        static_cast<std::uint32_t>(std::min(world.motions.size(), small.size())), [&](std::uint32_t thread) {
-            Worker worker{world.serial, world.motions[thread], world.contact_reports.of_thread(thread)};
-            for (std::size_t i; (i = next.fetch_add(1)) < small.size();) take(worker, small[i]);
-        });
-    Worker all{world.parallel, world.motions[0], world.contact_reports.of_thread(0)};
+    const std::size_t threads = std::min(world.motions.size(), small.size());
+    std::atomic<std::size_t> next = threads;
+    world.parallel.blocks(static_cast<std::uint32_t>(threads), [&](std::uint32_t thread) {
+        Worker worker{world.serial, world.motions[thread], world.contact_reports.of_thread(thread),
+                      world.scratch.data() + small[thread].scratch};
+        for (std::size_t i = thread; i < small.size(); i = next.fetch_add(1)) take(worker, small[i]);
+    });
+    Worker all{world.parallel, world.motions[0], world.contact_reports.of_thread(0), world.scratch.data()};
     for (const Schedule::Group& group : schedule.in_turn()) take(all, group);
 }
 

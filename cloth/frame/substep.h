@@ -37,18 +37,10 @@ struct Worker {
     std::vector<ColliderMotion>& motions;  ///< one per collider, over the present substep
     ContactLog& contacts;                  ///< to be reported
     std::byte* scratch = nullptr;          ///< for the group that it works on
-    std::size_t scratch_bytes = 0;
     /// The motions are of colliders that have one of these layers and that no body carries, over this
     /// substep; of a substep of no length while they are of anything else.
     std::uint32_t seen_layers = 0;
     Substep seen_over{0, 0, 0};
-
-    /// A group lies in the memory of one before it, which is in the cache, unless its own is larger.
-    void make_room(std::byte* own, std::size_t bytes) {
-        if (bytes <= scratch_bytes) return;
-        scratch = own;
-        scratch_bytes = bytes;
-    }
 };
 
 }  // namespace weft

@@ -7,6 +7,7 @@
 #include "cloth/mesh/cook.h"
 #include "cloth/solvers/stages.h"
 #include "cloth/system/step_equation.h"
+#include "engine/memory/scratch.h"
 #include "engine/profiling/profiler.h"
 #include "engine/threads/parallel_blocks.h"
 #include "weft/settings.h"
@@ -37,7 +38,8 @@ struct SolveResult {
     bool unsolved = false;  ///< more of the equation is left than the method tolerates
 };
 
-/// Owns all memory that its method needs. Only its constructor and reserve_pins() take any.
+/// Owns what of its method lasts from substep to substep. All else lies in scratch, so that cloths that are
+/// solved one after the other share it.
 class Solver {
   public:
     Solver() = default;
@@ -48,7 +50,12 @@ class Solver {
     [[nodiscard]] virtual std::unique_ptr<Solver> clone(const ClothModel& /*model*/) const { return nullptr; }
     /// Takes the memory for what prepare() then writes and is shared as yet. May run out of it.
     virtual void make_own(const ClothSettings& /*settings*/) {}
-    /// Fills the step's velocities. Pinned particles keep theirs.
+    /// Lays out what solve() fills and nothing needs after the substep; for contact of the cloth with itself
+    /// in up to so many pairs.
+    virtual void lay_out(Scratch& /*scratch*/, std::size_t /*pairs*/) { own_scratch_.free(); }
+    /// The same in memory of its own, for who is in no World.
+    void lay_out_alone(std::size_t pairs = 0) { own_scratch_.lay_out(*this, pairs); }
+    /// Fills the step's velocities. Pinned particles keep theirs. Precondition: it is laid out.
     virtual SolveResult solve(const SolverStep& step) = 0;
     /// Whether make_solver() would make the same solver from these settings. Settings that do not matter to
     /// it are read by solve() at each step. The study's solvers are made otherwise and return false.
@@ -67,14 +74,18 @@ class Solver {
     [[nodiscard]] virtual bool is_implicit() const noexcept { return true; }
     /// Whether features that touch are in the equation that it solves: see MultilevelSolver::solve().
     [[nodiscard]] virtual bool joins() const noexcept { return false; }
-    /// Makes room for contact of the cloth with itself, with so many pairs. May throw. Of none: frees it.
+    /// Makes what contact of the cloth with itself needs, with so many pairs. May throw. Of none: frees it.
     virtual void reserve_pairs(std::size_t /*count*/) {}
     /// Its coarse levels; null: it has none.
     [[nodiscard]] virtual const Multigrid* multigrid() const noexcept { return nullptr; }
+    /// Besides scratch.
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 
   protected:
     Solver(const Solver&) = default;
+
+  private:
+    OwnScratch own_scratch_;
 };
 
 }  // namespace weft

@@ -183,15 +183,9 @@ void add_springs(const ClothModel& model, const StepEquation& equation, std::spa
 
 }  // namespace
 
-StepResidual::StepResidual(const ClothModel& model, const ClothSettings& settings) : model_(&model) {
-    if (!settings.finite_elements.enabled) return;
-    free_ = AlignedBuffer<Vec4>(model.particle_count);
-    left_ = AlignedBuffer<Vec4>(model.particle_count);
-}
-
 float StepResidual::operator()(Parallel& parallel, const StepEquation& equation,
                                std::span<const Vec4> velocities, ImplicitSystem* system) {
-    if (system != nullptr && left_.size() > 0) return of_elements(parallel, equation, velocities, *system);
+    if (system != nullptr && of_elements_) return measure_elements(parallel, equation, velocities, *system);
     const std::uint64_t n = model_->particle_count;
     const std::uint64_t samples = std::min(n, std::max(fewest_samples, n / particles_per_sample));
     Left sum;
@@ -202,8 +196,8 @@ float StepResidual::operator()(Parallel& parallel, const StepEquation& equation,
     return sum.ratio();
 }
 
-float StepResidual::of_elements(Parallel& parallel, const StepEquation& equation,
-                                std::span<const Vec4> velocities, ImplicitSystem& system) {
+float StepResidual::measure_elements(Parallel& parallel, const StepEquation& equation,
+                                     std::span<const Vec4> velocities, ImplicitSystem& system) {
     const Fabric& fabric = equation.settings.fabric;
     const float stiffness =
         equation.gamma * (equation.gamma + fabric.damping) * (fabric.warp + fabric.weft + fabric.shear);

@@ -8,7 +8,7 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/system/implicit_system.h"
 #include "cloth/system/step_equation.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 
 namespace weft {
 
@@ -21,10 +21,15 @@ namespace weft {
 /// less than a hundredth of one. Finite elements are all looked at, which costs a quarter of a step.
 class StepResidual {
   public:
-    StepResidual(const ClothModel& model, const ClothSettings& settings);
+    StepResidual(const ClothModel& model, const ClothSettings& settings)
+        : model_(&model), of_elements_(settings.finite_elements.enabled) {}
     /// Of another cloth of that model.
     StepResidual(const StepResidual& other, const ClothModel& model) : StepResidual(other) {
         model_ = &model;
+    }
+    void lay_out(Scratch& scratch) {
+        for (auto* vector : {&free_, &left_})
+            scratch.take(*vector, of_elements_ ? model_->particle_count : 0);
     }
     /// `system` is asked for the forces of finite elements only.
     [[nodiscard]] float operator()(Parallel& parallel, const StepEquation& equation,
@@ -34,14 +39,14 @@ class StepResidual {
         if (!step.wants_residual) return 0;
         return (*this)(step.parallel, step.equation, step.velocities, system);
     }
-    [[nodiscard]] std::size_t bytes() const noexcept { return free_.bytes() + left_.bytes(); }
 
   private:
-    [[nodiscard]] float of_elements(Parallel& parallel, const StepEquation& equation,
-                                    std::span<const Vec4> velocities, ImplicitSystem& system);
+    [[nodiscard]] float measure_elements(Parallel& parallel, const StepEquation& equation,
+                                         std::span<const Vec4> velocities, ImplicitSystem& system);
 
     const ClothModel* model_;
-    AlignedBuffer<Vec4> free_, left_;  // of finite elements: v_free, and what it or v leaves
+    bool of_elements_;
+    ScratchArray<Vec4> free_, left_;  // of finite elements: v_free, and what it or v leaves
 };
 
 }  // namespace weft

@@ -52,7 +52,8 @@ GridCells::GridCells(const ClothModel& model) {
     diagonals.differences = {model.columns + 1};
     columns = model.columns;
     cuts = std::move(cut);
-    windows = GridWindows(diagonals, most_shared);
+    windows_ = GridWindows(diagonals, most_shared);
+    window_values = AlignedBuffer<float>(windows_.floats());
 }
 
 }  // namespace weft

@@ -24,7 +24,7 @@ struct GridCells {
     static constexpr std::uint32_t most_shared = 4;  ///< floats that a cell has for each corner
 
     [[nodiscard]] bool empty() const noexcept { return columns == 0; }
-    [[nodiscard]] std::size_t bytes() const noexcept { return cuts.bytes() + windows.bytes(); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return cuts.bytes() + window_values.bytes(); }
 
     std::uint32_t columns = 0;
     /// From a cell's first corner, which is near and left, to the last, which is far and right.
@@ -32,7 +32,17 @@ struct GridCells {
     /// How the cell is cut whose first corner a particle is: 1 from there to the far right, -1 from the near
     /// right to the far left. 0: the particle is no cell's first corner.
     SharedBuffer<std::int8_t> cuts;
-    GridWindows windows;
+    AlignedBuffer<float> window_values;
+
+    /// For loops by cells, until the next call.
+    [[nodiscard]] GridWindows& windows() {
+        Scratch scratch(reinterpret_cast<std::byte*>(window_values.data()));
+        windows_.lay_out(scratch);
+        return windows_;
+    }
+
+  private:
+    GridWindows windows_;
 };
 
 }  // namespace weft

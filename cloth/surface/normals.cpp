@@ -92,7 +92,7 @@ void compute_normals(Parallel& parallel, const TriangleGroups& groups, std::span
 
 void compute_normals(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
                      std::span<Vec4> normals) {
-    in_tiles(parallel, cells.diagonals.nodes, cells.windows,
+    in_tiles(parallel, cells.diagonals.nodes, cells.windows(),
              [&](const BlockRange& tile, const GridWindow& window) {
                  HWY_DYNAMIC_DISPATCH(normals_of_grid)(cells, tile, window, positions.data(), normals.data());
                  clear_behind(tile.end, normals);

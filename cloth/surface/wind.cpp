@@ -127,7 +127,7 @@ void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::s
 void compute_air_forces(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
                         std::span<const Vec4> velocities, const Wind& wind,
                         std::span<const Vec4> air_velocities, std::span<Vec4> particle_forces) {
-    in_tiles(parallel, cells.diagonals.nodes, cells.windows,
+    in_tiles(parallel, cells.diagonals.nodes, cells.windows(),
              [&](const BlockRange& tile, const GridWindow& window) {
                  HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
                  (cells, tile, window, wind, positions.data(), velocities.data(), air_velocities,

@@ -12,6 +12,13 @@ std::optional<SavedSprings> ImplicitSystem::springs() const {
     return std::nullopt;
 }
 
+void ImplicitSystem::lay_out(Scratch& scratch) {
+    own_scratch_.free();
+    scratch.take(right_side_, particles_);
+    scratch.take(partial_sums_, block_count(particles_));
+    windows_.lay_out(scratch);
+}
+
 Products ImplicitSystem::multiply_by(MultiplyRows rows, Parallel& parallel, const DottedWith& with,
                                      std::span<const Vec4> x, std::span<Vec4> product) {
     const std::uint32_t nodes = stencil().nodes;

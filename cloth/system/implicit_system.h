@@ -14,6 +14,7 @@
 #include "cloth/system/sparse/transfers.h"
 #include "cloth/system/step_equation.h"
 #include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -52,10 +53,7 @@ struct Products {
 /// there: 0 comes out.
 class ImplicitSystem {
   public:
-    explicit ImplicitSystem(std::uint32_t particles)
-        : right_side_(particles), partial_sums_(block_count(particles)) {}
-    ImplicitSystem(std::uint32_t particles, Unmade later)
-        : right_side_(particles, later), partial_sums_(block_count(particles), later) {}
+    explicit ImplicitSystem(std::uint32_t particles) : particles_(particles) {}
     virtual ~ImplicitSystem() = default;
     ImplicitSystem& operator=(const ImplicitSystem&) = delete;
 
@@ -68,6 +66,10 @@ class ImplicitSystem {
     virtual void make_own(const Fabric& /*fabric*/) {}
     /// Makes what depends on the fabric alone. A step in another fabric does that first.
     virtual void prepare(const Fabric& /*fabric*/) noexcept {}
+    /// Lays out what is made anew in each linearisation, and only read until the next.
+    virtual void lay_out(Scratch& scratch);
+    /// The same in memory of its own, as a system has that was made, and its clones have not.
+    void lay_out_alone() { own_scratch_.lay_out(*this); }
 
     /// Makes W and b of the equation, linearised: with dv from W dv = b, v + dv solves it. Precondition: if
     /// it is linearised about its base, `velocities` are the equation's own.
@@ -138,11 +140,10 @@ class ImplicitSystem {
     [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
 
     /// b_i [kg m/s], w row sum r_i = sum_j W_ij [kg]; 0 for pinned particles.
-    [[nodiscard]] AlignedBuffer<Vec4>& right_side() noexcept { return right_side_; }
-    [[nodiscard]] const AlignedBuffer<Vec4>& right_side() const noexcept { return right_side_; }
-    [[nodiscard]] virtual std::size_t bytes() const noexcept {
-        return right_side_.bytes() + partial_sums_.bytes() + windows_.bytes();
-    }
+    [[nodiscard]] ScratchArray<Vec4>& right_side() noexcept { return right_side_; }
+    [[nodiscard]] const ScratchArray<Vec4>& right_side() const noexcept { return right_side_; }
+    /// Besides scratch.
+    [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 
   protected:
     ImplicitSystem(const ImplicitSystem&) = default;
@@ -178,9 +179,13 @@ class ImplicitSystem {
     Products multiply_by(MultiplyRows rows, Parallel& parallel, const DottedWith& with,
                          std::span<const Vec4> x, std::span<Vec4> product);
 
-    AlignedBuffer<Vec4> right_side_;
+    ScratchArray<Vec4> right_side_;
     GridWindows windows_;  // empty unless the matrix is kept by diagonals
-    AlignedBuffer<Products> partial_sums_;
+
+  private:
+    std::uint32_t particles_;
+    ScratchArray<Products> partial_sums_;
+    OwnScratch own_scratch_;
 };
 
 }  // namespace weft

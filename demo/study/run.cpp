@@ -56,7 +56,7 @@ Run::Run(const StudyScene& scene, const MethodPoint& point, int threads)
     auto made = std::make_unique<Cloth>(cooked(scene), point.applied_to(scene.cloth));
     cloth_ = made.get();
     if (point.make_solver) {
-        cloth_->solver = point.make_solver(cloth_->model, cloth_->settings);
+        cloth_->take_solver(point.make_solver(cloth_->model, cloth_->settings));
         cloth_->solver->inverse_masses_changed(std::as_const(cloth_->state).positions.span());
     }
     place(scene, cloth_->state);

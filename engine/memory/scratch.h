@@ -6,8 +6,9 @@
 // a step, and then in memory of that size, as often as it likes and at no cost. So nothing is allocated in a
 // step, and what is measured is what is taken.
 //
-// Invariant: an array is padded to a whole group of 16 elements, as an AlignedBuffer is. But it holds what
-// its memory held before: whoever reads an element has written it since the layout.
+// Invariant: an array is padded to a whole group of 16 elements, as an AlignedBuffer is: with zeros, until a
+// kernel that works on groups writes there. But it holds what its memory held before: whoever reads an
+// element has written it since the layout.
 
 #include <algorithm>
 #include <cstddef>
@@ -87,9 +88,11 @@ class Scratch {
         array = {reinterpret_cast<T*>(at), size};
         end_ += (bytes + memory_alignment - 1) / memory_alignment * memory_alignment;
         most_ = std::max(most_, end_);
+        if (at == nullptr) return;
 #ifndef NDEBUG
-        if (at != nullptr) std::memset(at, 0xCD, bytes);  // who reads what it has not written is to notice
+        std::memset(at, 0xCD, bytes);  // who reads what it has not written is to notice
 #endif
+        std::memset(at + size * sizeof(T), 0, bytes - size * sizeof(T));
     }
 
     std::byte* begin_ = nullptr;
@@ -120,6 +123,31 @@ class ScratchMemory {
   private:
     std::byte* data_ = nullptr;
     std::size_t bytes_ = 0;
+};
+
+/// Memory of an object that is used alone, until somebody lays it out in theirs. A copy of the object has
+/// none.
+class OwnScratch {
+  public:
+    OwnScratch() = default;
+    OwnScratch(const OwnScratch& /*other*/) noexcept {}
+    OwnScratch& operator=(const OwnScratch&) = delete;
+    ~OwnScratch() = default;
+
+    /// The object's lay_out(), which takes these sizes, begins with free().
+    template <class Object, class... Sizes>
+    void lay_out(Object& object, const Sizes&... sizes) {
+        Scratch measured;
+        object.lay_out(measured, sizes...);
+        ScratchMemory memory(measured.bytes());
+        Scratch scratch(memory.data());
+        object.lay_out(scratch, sizes...);
+        memory_ = std::move(memory);
+    }
+    void free() noexcept { memory_ = {}; }
+
+  private:
+    ScratchMemory memory_;
 };
 
 }  // namespace weft

@@ -177,7 +177,8 @@ std::string text_of(const ClothInfo& i) {
                                 text_of(i.mass),
                                 text_of(i.least_bending),
                                 text_of(i.bytes),
-                                text_of(i.shared_bytes)});
+                                text_of(i.shared_bytes),
+                                text_of(i.scratch_bytes)});
 }
 
 static std::string text_of(const Mesh& mesh) {

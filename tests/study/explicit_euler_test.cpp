@@ -29,7 +29,7 @@ class Oscillator {
                            .bending = 0,
                            .damping = static_cast<float>(spring_damping)};
         cloth->apply(settings);
-        cloth->solver = std::make_unique<ExplicitEulerSolver>(cloth->model, settings);
+        cloth->take_solver(std::make_unique<ExplicitEulerSolver>(cloth->model, settings));
         for (const std::uint32_t pinned : {0u, 1u, 2u}) cloth->pin(pinned);
         rest_ = xyz(cloth->state.positions[3]);
         set_xyz(cloth->state.positions[3], rest_ + Vector3(1e-4f, 0, 0));

@@ -6,7 +6,7 @@
 
 #include "cloth/frame/state.h"
 #include "cloth/system/pair_rows.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
 
@@ -31,12 +31,13 @@ struct Bdf {
 /// layers bounce off each other. The rows number the cloth's particles from `first` on.
 void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state);
 
-/// Memory for the bases of one step, which are made from the record of the last one.
+/// The bases of one step, which are made from the record of the last one.
 class History {
   public:
-    explicit History(std::uint32_t particles) : base_positions_(particles), base_velocities_(particles) {}
-    History(std::uint32_t particles, Unmade later)
-        : base_positions_(particles, later), base_velocities_(particles, later) {}
+    void lay_out(Scratch& scratch, std::uint32_t particles) {
+        scratch.take(base_positions_, particles);
+        scratch.take(base_velocities_, particles);
+    }
 
     /// Computes the bases of a step of second order from the present state and its record. A particle that is
     /// not where the last step left it has met something: it is taken to have come in a straight line at its
@@ -45,12 +46,9 @@ class History {
     void begin(Parallel& parallel, const ClothState& state, float divisor);
     [[nodiscard]] std::span<const Vec4> base_positions() const { return base_positions_.span(); }
     [[nodiscard]] std::span<const Vec4> base_velocities() const { return base_velocities_.span(); }
-    [[nodiscard]] std::size_t bytes() const noexcept {
-        return base_positions_.bytes() + base_velocities_.bytes();
-    }
 
   private:
-    AlignedBuffer<Vec4> base_positions_, base_velocities_;
+    ScratchArray<Vec4> base_positions_, base_velocities_;
 };
 
 }  // namespace weft

@@ -54,14 +54,13 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
 
     groups_.clear();
     std::uint32_t end = 0;
-    std::size_t scratch = 0;
     for (std::size_t i = 0; i < cloths.size(); ++i) {
         if (first_of[i] != i) continue;
         Group group{.cloths = std::span(members_).subspan(end, next_[i] - end),
                     .work = 0,
                     .blocks = 0,
-                    .scratch = scratch,
                     .scratch_bytes = 0,
+                    .scratch = 0,
                     .is_whole = false};
         end = next_[i];
         for (const Cloth* cloth : group.cloths) {
@@ -69,7 +68,6 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
             group.scratch_bytes += cloth->scratch_bytes;
             group.blocks += block_count(cloth->model.particle_count);
         }
-        scratch += group.scratch_bytes;
         groups_.push_back(group);
     }
     share_out(threads);
@@ -87,9 +85,15 @@ void Schedule::share_out(int threads) {
                          suits_one_thread(group, total, static_cast<std::uint64_t>(threads));
     // Of equal ones the first comes first: cloths that meet a body have an order.
     std::ranges::sort(groups_, std::ranges::greater(), [this](const Group& group) {
-        return std::tuple(group.is_whole, group.work, members_.data() - group.cloths.data());
+        return std::tuple(group.is_whole, group.is_whole ? group.scratch_bytes : group.work,
+                          members_.data() - group.cloths.data());
     });
     whole_ = static_cast<std::size_t>(std::ranges::count(groups_, true, &Group::is_whole));
+    std::size_t scratch = 0;
+    for (Group& group : std::span(groups_).first(whole_)) {
+        group.scratch = scratch;
+        scratch += group.scratch_bytes;
+    }
 }
 
 }  // namespace weft

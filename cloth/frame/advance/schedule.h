@@ -25,11 +25,13 @@ class Schedule {
         std::span<Cloth* const> cloths;
         std::uint64_t work;  // particles moved in a step
         std::uint32_t blocks;
-        std::size_t scratch, scratch_bytes;  // where its part of the World's begins, and its size
+        std::size_t scratch_bytes;  // that it takes of the World's
+        std::size_t scratch;        // of the k-th for one thread: where the part of the k-th thread begins
         bool is_whole;
     };
     [[nodiscard]] std::span<const Group> groups() const { return groups_; }
-    /// For one thread each; the largest first, so that the last to end are small.
+    /// For one thread each; the largest first, so that the last to end are small, and what a thread takes
+    /// lies in the memory of its first.
     [[nodiscard]] std::span<const Group> side_by_side() const { return std::span(groups_).first(whole_); }
     /// For all threads together.
     [[nodiscard]] std::span<const Group> in_turn() const { return std::span(groups_).subspan(whole_); }

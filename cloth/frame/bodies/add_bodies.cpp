@@ -44,6 +44,7 @@ BodyId Simulation::add_body(const BodySlot& slot) {
     };
     std::vector<std::pair<Cloth*, Made>> of_cloths;
     std::unique_ptr<BodyStage> stage;
+    Room room;
     const std::size_t count = state.bodies.size(), number = number_of(id);
     or_undo(
         [&] {
@@ -55,9 +56,11 @@ BodyId Simulation::add_body(const BodySlot& slot) {
                 if (count == 1) made.buffers = BodyBuffers(cloth->state.size());
                 of_cloths.emplace_back(cloth.get(), std::move(made));
             });
+            room = make_room(nullptr, parallel.width());
             expect_colliders(state.colliders.size());
         },
         [&] { state.bodies.erase(id); });
+    take(std::move(room));
     for (auto& [cloth, made] : of_cloths) {
         cloth->state.shares = std::move(made.shares);
         cloth->collected = std::move(made.collected);

@@ -36,11 +36,12 @@ Cloth::Cloth(const Cloth& cooked)
       partial_surveys(block_count(model.particle_count)) {
     side_buffers.write(settings);
     if (!solver) solver = make_solver(model, settings, state.positions.span());
-    if (cooked.history) history.emplace(model.particle_count);
+    if (cooked.history) history.emplace();
     for (const std::unique_ptr<Limit>& limit : cooked.limits) limits.push_back(limit->clone());
     const SelfCollision& self_collision = settings.self_collision;
     if (weft::has_features(self_collision) && !has_zones(self_collision)) reserve_pairs(*solver);
     take_features(make_features(self_collision), self_collision);
+    scratch_bytes = scratch_of_steps(*solver, history.has_value(), self_collision, contact_mesh.get());
     take_contacts(make_contacts(false), false);
     const std::size_t of_cooked = cooked.own_bytes(), own = own_bytes();
     shared_bytes_ = of_cooked > own ? of_cooked - own : 0;
@@ -55,6 +56,7 @@ ClothInfo Cloth::info() const {
     info.least_bending = settings.fabric.areal_density * 9.81f * finest * finest * finest;
     info.bytes = own_bytes();
     info.shared_bytes = shared_bytes_;
+    info.scratch_bytes = scratch_bytes;
     return info;
 }
 
@@ -69,7 +71,7 @@ std::size_t Cloth::own_bytes() const {
     std::size_t of_limits = worn.bytes() + side_buffers.bytes() + areas_without_map.bytes();
     for (const std::unique_ptr<Limit>& limit : limits) of_limits += limit->bytes();
     return sizeof *this + bytes_of(model) + state.bytes() + solver->bytes() + scratch_velocities.bytes() +
-           (history ? history->bytes() : 0) + of_limits + (self_contacts ? self_contacts->bytes() : 0) +
+           of_limits + (self_contacts ? self_contacts->bytes() : 0) +
            (rest_neighbours ? rest_neighbours->bytes() : 0) + (contacts ? contacts->bytes() : 0) +
            scratch_bytes + zone_bytes() +
            (has_features() && !shares_contact_mesh ? contact_mesh->bytes() : 0) + surface.bytes() +

@@ -46,7 +46,7 @@ struct CookedHead {
 };
 static_assert(std::has_unique_object_representations_v<CookedHead>);
 static_assert(sizeof(CookedHead) == memory_alignment, "lists begin behind it");
-static_assert(sizeof(ClothInfo) == 88, "without padding");
+static_assert(sizeof(ClothInfo) == 96, "without padding");
 
 /// visit(list) for each list of the model and the report; `Info` is of one item.
 template <class Model, class Info, class Report, class Visit>

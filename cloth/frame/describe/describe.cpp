@@ -18,9 +18,10 @@ void describe_cloth(Outline& outline, const Simulation& simulation, ClothId id, 
 }
 
 std::uint64_t memory_of(const Simulation& simulation) {
-    std::uint64_t bytes = simulation.bytes_to_spare();
-    simulation.cloths.for_each(
-        [&](ClothId, const std::unique_ptr<Cloth>& cloth) { bytes += cloth->info().bytes; });
+    std::uint64_t bytes = simulation.common_bytes();
+    simulation.cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
+        bytes += cloth->info().bytes - cloth->scratch_bytes - cloth->zone_bytes();
+    });
     simulation.shapes.for_each(
         [&](ShapeId, const std::unique_ptr<HeldShape>& shape) { bytes += shape->info().bytes; });
     return bytes;

@@ -56,12 +56,13 @@ void Cloth::take_areas(const Cloth& before, Sources sources) {
         else if (without > 0)
             areas[i] *= with / without;
     }
-    set_areas(std::move(areas), std::move(without_map));
+    set_areas(std::move(areas), std::move(without_map), {});
 }
 
 void Cloth::take_maps(const Cloth& before, Sources sources) {
     take_areas(before, sources);
-    if (before.model.stiffness.size() > 0) set_stiffness(gathered(before.model.stiffness.span(), sources));
+    if (before.model.stiffness.size() > 0)
+        set_stiffness(gathered(before.model.stiffness.span(), sources), {});
     const std::pair<Map, const AlignedBuffer<float>*> maps[] = {
         {Map::leash, &before.worn.leash},
         {Map::backstop, &before.worn.backstop},

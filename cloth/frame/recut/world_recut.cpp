@@ -72,7 +72,9 @@ void name_by_vertices(const Cloth& cloth, std::span<StrainedEdge> edges) {
 
 void Simulation::replace(ClothId id, std::unique_ptr<Cloth>&& next) {
     std::unique_ptr<Cloth>& place = *cloths.find(id);
-    Room room = make_room(place.get(), next->settings.self_collision, next->contact_mesh.get());
+    const Newcomer newcomer{place.get(), next->scratch_bytes, next->settings.self_collision,
+                            next->contact_mesh.get()};
+    Room room = make_room(&newcomer, parallel.width());
 
     // From here on nothing can fail.
     if (next->model.fingerprint != place->model.fingerprint) wake_near(*place);

@@ -295,6 +295,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("least_bending", a.least_bending, b.least_bending);
     way("bytes", a.bytes, b.bytes);
     way("shared_bytes", a.shared_bytes, b.shared_bytes);
+    way("scratch_bytes", a.scratch_bytes, b.scratch_bytes);
 }
 template <FieldsOf<ShapeInfo> A, FieldsOf<ShapeInfo> B, class Way>
 constexpr void for_both(A& a, B& b, const Way& way) {

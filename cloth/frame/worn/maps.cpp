@@ -10,32 +10,34 @@
 
 namespace weft {
 
-void Cloth::set_map(Map map, AlignedBuffer<float>&& values) {
+void Cloth::set_map(Map map, AlignedBuffer<float>&& values, const MakeRoom& make_room) {
     if (map == Map::mass)
-        set_masses(std::move(values));
+        set_masses(std::move(values), make_room);
     else if (map == Map::stiffness)
-        set_stiffness(std::move(values));
+        set_stiffness(std::move(values), make_room);
     else
         set_worn_map(map, std::move(values));
 }
 
 /// For the model as it now is, with all that its steps need.
-std::unique_ptr<Solver> Cloth::make_other_solver() const {
+void Cloth::remake_solver(const MakeRoom& make_room) {
     std::unique_ptr<Solver> made = make_solver(model, settings, state.positions.span());
     made->reserve_pins(state.pins.size());
     if (weft::has_features(settings.self_collision) && !has_zones(settings.self_collision))
         made->reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
-    return made;
-}
+    const std::size_t bytes =
+        scratch_of_steps(*made, history.has_value(), settings.self_collision, contact_mesh.get());
+    if (make_room) make_room(bytes);
 
-void Cloth::take_other_solver(std::unique_ptr<Solver>&& made) noexcept {
+    // From here on nothing can fail.
+    scratch_bytes = bytes;
     solver = std::move(made);
     solver->prepare(settings);
     set_inverse_masses();
     solver->inverse_masses_changed(state.positions.span());
 }
 
-void Cloth::set_masses(AlignedBuffer<float>&& values) {
+void Cloth::set_masses(AlignedBuffer<float>&& values, const MakeRoom& make_room) {
     const std::span<const float> before =
         areas_without_map.size() > 0 ? areas_without_map.span() : model.rest_area.span();
     SharedBuffer<float> areas(before);
@@ -45,20 +47,21 @@ void Cloth::set_masses(AlignedBuffer<float>&& values) {
         std::ranges::copy(before, kept.data());
         for (std::uint32_t i = 0; i < model.particle_count; ++i) areas[i] *= values[i];
     }
-    set_areas(std::move(areas), std::move(kept));
+    set_areas(std::move(areas), std::move(kept), make_room);
 }
 
-void Cloth::set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map) {
+void Cloth::set_areas(SharedBuffer<float>&& areas, AlignedBuffer<float>&& without_map,
+                      const MakeRoom& make_room) {
     std::swap(model.rest_area, areas);
-    or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.rest_area, areas); });
+    or_undo([&] { remake_solver(make_room); }, [&] { std::swap(model.rest_area, areas); });
     areas_without_map = std::move(without_map);
     bending_per_area = find_bending_per_area(model);
 }
 
-void Cloth::set_stiffness(AlignedBuffer<float>&& values) {
+void Cloth::set_stiffness(AlignedBuffer<float>&& values, const MakeRoom& make_room) {
     SharedBuffer<float> other(std::move(values));
     std::swap(model.stiffness, other);
-    or_undo([&] { take_other_solver(make_other_solver()); }, [&] { std::swap(model.stiffness, other); });
+    or_undo([&] { remake_solver(make_room); }, [&] { std::swap(model.stiffness, other); });
 }
 
 /// The values of a map that changes neither masses nor springs.

@@ -187,7 +187,7 @@ Result<void> World::set_map(ClothId id, Map map, std::span<const float> values) 
                 cloth, map == Map::leash ? std::as_const(of_particles).span() : worn.leash.span(),
                 map == Map::backstop ? std::as_const(of_particles).span() : worn.backstop.span());
             if (!valid) return valid;
-            cloth.set_map(map, std::move(of_particles));
+            impl_->simulation.set_map(cloth, map, std::move(of_particles));
             cloth.wake();
             return {};
         });

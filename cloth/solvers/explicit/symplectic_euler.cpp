@@ -5,6 +5,12 @@ namespace weft {
 SymplecticEulerSolver::SymplecticEulerSolver(const ClothModel& model, const ClothSettings& settings)
     : kind_(settings), system_(make_system(model, settings)), residual_(model, settings) {}
 
+void SymplecticEulerSolver::lay_out(Scratch& scratch, std::size_t pairs) {
+    Solver::lay_out(scratch, pairs);
+    system_->lay_out(scratch);
+    residual_.lay_out(scratch);
+}
+
 bool SymplecticEulerSolver::serves(const ClothSettings& settings) const {
     return std::holds_alternative<SymplecticEuler>(settings.method) && kind_ == SystemKind(settings);
 }
@@ -36,7 +42,7 @@ SolveResult SymplecticEulerSolver::solve(const SolverStep& step) {
 }
 
 std::size_t SymplecticEulerSolver::bytes() const noexcept {
-    return system_->bytes() + residual_.bytes();
+    return system_->bytes();
 }
 
 }  // namespace weft

@@ -14,6 +14,7 @@ namespace weft {
 class SymplecticEulerSolver final : public Solver {
   public:
     SymplecticEulerSolver(const ClothModel& model, const ClothSettings& settings);
+    void lay_out(Scratch& scratch, std::size_t pairs) override;
     SolveResult solve(const SolverStep& step) override;
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
     void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }

@@ -44,10 +44,10 @@ Relaxation ChebyshevSteps::next() {
 }
 
 void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
-                     AlignedBuffer<Vec4>& scratch, std::span<Vec4> dv) {
+                     std::span<Vec4> scratch, std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
     ChebyshevSteps steps(interval);
-    std::span<Vec4> present = dv, next = scratch.span();
+    std::span<Vec4> present = dv, next = scratch;
     if (iterations % 2 == 1) std::swap(present, next);  // the last iterate comes to lie in dv
     system.precondition(parallel, b, steps.first(), present);
     clear(parallel, next);
@@ -59,13 +59,13 @@ void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations,
 
 ChebyshevSolver::ChebyshevSolver(const ClothModel& model, const ClothSettings& settings)
     : LinearSolver(model, settings),
-      scratch_(model.particle_count),
       area_(std::reduce(model.rest_area.span().begin(), model.rest_area.span().end(), 0.0)) {}
 
 bool ChebyshevSolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
     const int iterations = std::get<Chebyshev>(step.settings.method).iterations;
     const double least = least_eigenvalue(step.model.info, step.settings, area_, step.equation.gamma);
-    solve_chebyshev(step.parallel, system, iterations, chebyshev_interval(iterations, least), scratch_, dv);
+    solve_chebyshev(step.parallel, system, iterations, chebyshev_interval(iterations, least), scratch_.span(),
+                    dv);
     return true;
 }
 
@@ -73,8 +73,9 @@ bool ChebyshevSolver::solves_mean_motion_apart(const ClothSettings& settings) co
     return std::get<Chebyshev>(settings.method).exact_mean_motion;
 }
 
-std::size_t ChebyshevSolver::bytes() const noexcept {
-    return LinearSolver::bytes() + scratch_.bytes();
+void ChebyshevSolver::lay_out(Scratch& scratch, std::size_t pairs) {
+    LinearSolver::lay_out(scratch, pairs);
+    scratch.take(scratch_, particles());
 }
 
 }  // namespace weft

@@ -50,27 +50,27 @@ class ChebyshevSteps {
 /// an eigenvector of eigenvalue lambda, the part T_n((c - lambda) / w) / T_n(c / w), n = iterations + 1,
 /// where c and w are the interval's centre and half width. Precondition: iterations >= 1.
 void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
-                     AlignedBuffer<Vec4>& scratch, std::span<Vec4> dv);
+                     std::span<Vec4> scratch, std::span<Vec4> dv);
 
 class ChebyshevSolver final : public LinearSolver {
   public:
     ChebyshevSolver(const ClothModel& model, const ClothSettings& settings);
     ChebyshevSolver(const ChebyshevSolver& other, const ClothModel& model)
-        : LinearSolver(other, model), scratch_(model.particle_count), area_(other.area_) {}
+        : LinearSolver(other, model), area_(other.area_) {}
     [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
         return std::make_unique<ChebyshevSolver>(*this, model);
     }
     [[nodiscard]] bool serves(const ClothSettings& settings) const override {
         return std::holds_alternative<Chebyshev>(settings.method) && serves_system(settings);
     }
-    [[nodiscard]] std::size_t bytes() const noexcept override;
+    void lay_out(Scratch& scratch, std::size_t pairs) override;
 
   protected:
     bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;
     [[nodiscard]] bool solves_mean_motion_apart(const ClothSettings& settings) const override;
 
   private:
-    AlignedBuffer<Vec4> scratch_;
+    ScratchArray<Vec4> scratch_;
     double area_ = 0;  // of the cloth at rest [m^2]
 };
 

@@ -6,10 +6,6 @@
 
 namespace weft {
 
-std::size_t CgVectors::bytes() const noexcept {
-    return residual.bytes() + preconditioned.bytes() + direction.bytes() + product.bytes() + partials.bytes();
-}
-
 OfPreconditioned products(Parallel& parallel, std::span<const Vec4> residual, CgVectors& vectors) {
     return parallel.reduce(
         static_cast<std::uint32_t>(residual.size()), vectors.partials.span(), OfPreconditioned{},
@@ -39,7 +35,7 @@ void update_residual(Parallel& parallel, float alpha, std::span<const Vec4> resi
 }
 
 ConjugateGradientSolver::ConjugateGradientSolver(const ClothModel& model, const ClothSettings& settings)
-    : LinearSolver(model, settings), vectors_(model.particle_count) {}
+    : LinearSolver(model, settings) {}
 
 bool ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSystem& system,
                                            std::span<Vec4> dv) {
@@ -53,8 +49,9 @@ bool ConjugateGradientSolver::solve_linear(const SolverStep& step, ImplicitSyste
         .ok;
 }
 
-std::size_t ConjugateGradientSolver::bytes() const noexcept {
-    return LinearSolver::bytes() + vectors_.bytes();
+void ConjugateGradientSolver::lay_out(Scratch& scratch, std::size_t pairs) {
+    LinearSolver::lay_out(scratch, pairs);
+    vectors_.lay_out(scratch, particles());
 }
 
 }  // namespace weft

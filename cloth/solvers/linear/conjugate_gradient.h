@@ -22,22 +22,14 @@ struct OfPreconditioned {
 
 /// The memory of one solve.
 struct CgVectors {
-    explicit CgVectors(std::uint32_t particles)
-        : residual(particles),
-          preconditioned(particles),
-          direction(particles),
-          product(particles),
-          partials(block_count(particles)) {}
-    CgVectors(std::uint32_t particles, Unmade later)
-        : residual(particles, later),
-          preconditioned(particles, later),
-          direction(particles, later),
-          product(particles, later),
-          partials(block_count(particles), later) {}
-    [[nodiscard]] std::size_t bytes() const noexcept;
+    void lay_out(Scratch& scratch, std::uint32_t particles) {
+        for (auto* vector : {&residual, &preconditioned, &direction, &product})
+            scratch.take(*vector, particles);
+        scratch.take(partials, block_count(particles));
+    }
 
-    AlignedBuffer<Vec4> residual, preconditioned, direction, product;  ///< r, z, p and W p
-    AlignedBuffer<OfPreconditioned> partials;
+    ScratchArray<Vec4> residual, preconditioned, direction, product;  ///< r, z, p and W p
+    ScratchArray<OfPreconditioned> partials;
 };
 
 // The passes over whole vectors that an iteration is made of.
@@ -95,14 +87,14 @@ class ConjugateGradientSolver final : public LinearSolver {
   public:
     ConjugateGradientSolver(const ClothModel& model, const ClothSettings& settings);
     ConjugateGradientSolver(const ConjugateGradientSolver& other, const ClothModel& model)
-        : LinearSolver(other, model), vectors_(model.particle_count) {}
+        : LinearSolver(other, model) {}
     [[nodiscard]] std::unique_ptr<Solver> clone(const ClothModel& model) const override {
         return std::make_unique<ConjugateGradientSolver>(*this, model);
     }
     [[nodiscard]] bool serves(const ClothSettings& settings) const override {
         return std::holds_alternative<ConjugateGradient>(settings.method) && serves_system(settings);
     }
-    [[nodiscard]] std::size_t bytes() const noexcept override;
+    void lay_out(Scratch& scratch, std::size_t pairs) override;
 
   protected:
     bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override;

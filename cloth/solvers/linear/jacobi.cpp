@@ -6,10 +6,10 @@ namespace weft {
 
 // Kang, eq. 7: dv_i = W_ii^-1 b_i, then dv_i <- W_ii^-1 (b_i + sum_j A_ij dv_j), in the form dv + D^-1 (b - W
 // dv). Its eq. 6 drops the brackets.
-void solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, AlignedBuffer<Vec4>& scratch,
+void solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, std::span<Vec4> scratch,
                   std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
-    std::span<Vec4> present = dv, next = scratch.span();
+    std::span<Vec4> present = dv, next = scratch;
     if (iterations % 2 == 1) std::swap(present, next);  // the last iterate comes to lie in dv
     system.precondition(parallel, b, 1.0f, present);
     for (int k = 0; k < iterations; ++k) {
@@ -19,10 +19,11 @@ void solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, Al
 }
 
 JacobiSolver::JacobiSolver(const ClothModel& model, const ClothSettings& settings)
-    : LinearSolver(model, settings), scratch_(model.particle_count) {}
+    : LinearSolver(model, settings) {}
 
 bool JacobiSolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
-    solve_jacobi(step.parallel, system, std::get<Jacobi>(step.settings.method).iterations, scratch_, dv);
+    solve_jacobi(step.parallel, system, std::get<Jacobi>(step.settings.method).iterations, scratch_.span(),
+                 dv);
     return true;
 }
 
@@ -30,8 +31,9 @@ bool JacobiSolver::solves_mean_motion_apart(const ClothSettings& settings) const
     return std::get<Jacobi>(settings.method).exact_mean_motion;
 }
 
-std::size_t JacobiSolver::bytes() const noexcept {
-    return LinearSolver::bytes() + scratch_.bytes();
+void JacobiSolver::lay_out(Scratch& scratch, std::size_t pairs) {
+    LinearSolver::lay_out(scratch, pairs);
+    scratch.take(scratch_, particles());
 }
 
 }  // namespace weft

@@ -16,6 +16,12 @@ LinearSolver::LinearSolver(const LinearSolver& other, const ClothModel& model)
       mean_motion_(other.mean_motion_),
       residual_(other.residual_, model) {}
 
+void LinearSolver::lay_out(Scratch& scratch, std::size_t pairs) {
+    Solver::lay_out(scratch, pairs);
+    system_->lay_out(scratch);
+    residual_.lay_out(scratch);
+}
+
 SolveResult LinearSolver::solve(const SolverStep& step) {
     {
         const auto timer = step.timed(Stage::assemble);
@@ -36,7 +42,7 @@ SolveResult LinearSolver::solve(const SolverStep& step) {
 }
 
 std::size_t LinearSolver::bytes() const noexcept {
-    return system_->bytes() + mean_motion_.bytes() + residual_.bytes();
+    return system_->bytes() + mean_motion_.bytes();
 }
 
 }  // namespace weft

@@ -17,11 +17,13 @@ class LinearSolver : public Solver {
     LinearSolver(const ClothModel& model, const ClothSettings& settings);
     LinearSolver(const LinearSolver& other, const ClothModel& model);
     void make_own(const ClothSettings& settings) override { system_->make_own(settings.fabric); }
+    void lay_out(Scratch& scratch, std::size_t pairs) override;
     SolveResult solve(const SolverStep& step) final;
     void prepare(const ClothSettings& settings) noexcept override { system_->prepare(settings.fabric); }
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   protected:
+    [[nodiscard]] std::uint32_t particles() const noexcept { return mean_motion_.particles(); }
     /// Solves W dv = b; false: it could not.
     virtual bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) = 0;
     /// The part of Solver::serves() that all linear solvers share.

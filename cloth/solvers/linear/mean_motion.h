@@ -32,6 +32,7 @@ class MeanMotion {
     /// dv, with the velocities that dv is a change of.
     void put_back(Parallel& parallel, const ContactRows* contacts, std::span<const Vec4> right_side,
                   std::span<const Vec4> velocities, std::span<Vec4> dv);
+    [[nodiscard]] std::uint32_t particles() const noexcept { return particles_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:

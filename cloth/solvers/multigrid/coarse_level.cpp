@@ -12,19 +12,21 @@ CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const
     : lists_(std::move(lists)),
       interpolation_(std::move(interpolation)),
       matrix_(graph, lists_),
-      small_components_(SmallComponents(components, lists_)),
-      b_(graph.nodes()),
-      x_(graph.nodes()),
-      before_(graph.nodes()) {}
+      small_components_(SmallComponents(components, lists_)) {}
 
-CoarseLevel::CoarseLevel(Constants constants, Unmade later)
+CoarseLevel::CoarseLevel(Constants constants)
     : lists_(std::move(constants.lists)),
       interpolation_(std::move(constants.interpolation)),
-      matrix_(std::move(constants.stencil), std::move(constants.link_rows), lists_, later),
-      small_components_(std::move(constants.small_components), later),
-      b_(matrix_.stencil.nodes, later),
-      x_(matrix_.stencil.nodes, later),
-      before_(matrix_.stencil.nodes, later) {}
+      matrix_(std::move(constants.stencil), std::move(constants.link_rows)),
+      small_components_(std::move(constants.small_components)) {}
+
+void CoarseLevel::lay_out(Scratch& scratch, std::size_t finer_pair_rows) {
+    matrix_.lay_out(scratch, lists_);
+    small_components_.lay_out(scratch);
+    pairs_.lay_out(scratch, finer_pair_rows, nodes());
+    for (auto* vector : {&b_, &x_, &before_}) scratch.take(*vector, nodes());
+    scratch.take(corrected_, finer_pair_rows > 0 ? nodes() : 0);
+}
 
 CoarseLevel::Constants CoarseLevel::constant_part() const {
     Constants part{lists_, interpolation_, matrix_.stencil, matrix_.link_rows,
@@ -55,11 +57,6 @@ void CoarseLevel::sum(Parallel& parallel, const CoarseLevel& finer) {
     });
     const SymmetricRows& ground = finer.matrix().ground_rows;
     sum_ground(parallel, ground.diagonal.span(), ground.off_diagonal.span());
-}
-
-void CoarseLevel::reserve_pairs(std::size_t finer_rows) {
-    pairs_.reserve(finer_rows, nodes());
-    corrected_ = AlignedBuffer<Vec4>(finer_rows > 0 ? nodes() : 0);
 }
 
 void CoarseLevel::add_bound_of_pairs() {
@@ -109,8 +106,7 @@ void CoarseLevel::relax(Parallel& parallel, Relaxation relaxation) {
 }
 
 std::size_t CoarseLevel::bytes() const noexcept {
-    return lists_.bytes() + interpolation_.bytes() + matrix_.bytes() + small_components_.bytes() +
-           pairs_.bytes() + b_.bytes() + x_.bytes() + before_.bytes() + corrected_.bytes();
+    return lists_.bytes() + interpolation_.bytes() + matrix_.bytes() + small_components_.bytes();
 }
 
 }  // namespace weft

@@ -9,7 +9,7 @@
 #include "cloth/solvers/multigrid/component_solver.h"
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "cloth/system/sparse/transfers.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -28,8 +28,10 @@ class CoarseLevel {
         SharedBuffer<std::uint32_t> link_rows;
         SmallComponents small_components;
     };
-    CoarseLevel(Constants constants, Unmade later);
+    explicit CoarseLevel(Constants constants);
     [[nodiscard]] Constants constant_part() const;
+    /// For contact of the cloth with itself in so many rows of the finer level; 0: without.
+    void lay_out(Scratch& scratch, std::size_t finer_pair_rows);
 
     /// Sums the links from the finest level's springs d d^T + a I, given as (d, a). The lists name springs by
     /// their index. Constants are scaled.
@@ -66,10 +68,9 @@ class CoarseLevel {
     [[nodiscard]] std::span<Vec4> b() noexcept { return b_.span(); }
     [[nodiscard]] std::span<Vec4> x() noexcept { return x_.span(); }
     [[nodiscard]] std::span<Vec4> before() noexcept { return before_.span(); }
-    /// Of contact of the cloth with itself; memory for them only once they are reserved.
+    /// Of contact of the cloth with itself.
     [[nodiscard]] CoarsePairs& pairs() noexcept { return pairs_; }
     [[nodiscard]] const CoarsePairs& pairs() const noexcept { return pairs_; }
-    void reserve_pairs(std::size_t finer_rows);
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -81,8 +82,8 @@ class CoarseLevel {
     CoarseMatrix matrix_;
     ComponentSolver small_components_;
     CoarsePairs pairs_;
-    AlignedBuffer<Vec4> b_, x_, before_;
-    mutable AlignedBuffer<Vec4> corrected_;
+    ScratchArray<Vec4> b_, x_, before_;
+    mutable ScratchArray<Vec4> corrected_;
 };
 
 }  // namespace weft

@@ -18,7 +18,7 @@ namespace weft::HWY_NAMESPACE {
 namespace {
 
 /// Of a slot or a group, from lane `lane` on.
-HWY_INLINE SymmetricLanes load_block(const AlignedBuffer<float>& values, std::uint32_t slot,
+HWY_INLINE SymmetricLanes load_block(const ScratchArray<float>& values, std::uint32_t slot,
                                      std::uint32_t lane) {
     return load_symmetric(&values[std::size_t{slot} * CoarseMatrix::arrays * Stencil::lanes + lane]);
 }
@@ -182,13 +182,7 @@ HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 
 CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists)
-    : stencil(graph.offsets, graph.neighbours),
-      coefficients(arrays * stencil.neighbours.size()),
-      ground(std::size_t{arrays} * stencil.groups() * Stencil::lanes),
-      inverse_diagonal(ground.size()),
-      ground_rows(stencil.nodes),
-      links(lists.groups() * Stencil::lanes + 1),
-      link_rows(stencil.neighbours.size()) {
+    : stencil(graph.offsets, graph.neighbours), link_rows(stencil.neighbours.size()) {
     std::ranges::fill(link_rows.span(), lists.groups() * Stencil::lanes);
     // Links ascend, and so do the graph's rows: each row meets its links in order.
     std::vector<std::uint32_t> next(graph.offsets.begin(), graph.offsets.end() - 1);
@@ -199,19 +193,14 @@ CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists)
     stencil.entries = {};
 }
 
-CoarseMatrix::CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows, const GalerkinLists& lists,
-                           Unmade later)
-    : stencil(std::move(of_level)),
-      coefficients(arrays * stencil.neighbours.size(), later),
-      ground(std::size_t{arrays} * stencil.groups() * Stencil::lanes, later),
-      inverse_diagonal(ground.size(), later),
-      ground_rows(stencil.nodes, later),
-      links(lists.groups() * Stencil::lanes + 1, later),
-      link_rows(std::move(rows)) {}
-
-std::size_t CoarseMatrix::bytes() const noexcept {
-    return stencil.bytes() + coefficients.bytes() + ground.bytes() + inverse_diagonal.bytes() +
-           ground_rows.bytes() + links.bytes() + link_rows.bytes();
+void CoarseMatrix::lay_out(Scratch& scratch, const GalerkinLists& lists) {
+    const std::uint32_t places = lists.groups() * Stencil::lanes;
+    scratch.take(coefficients, arrays * stencil.neighbours.size());
+    scratch.take(ground, std::size_t{arrays} * stencil.groups() * Stencil::lanes);
+    scratch.take(inverse_diagonal, ground.size());
+    ground_rows.lay_out(scratch, stencil.nodes);
+    links.lay_out(scratch, places + 1);
+    if (scratch.has_memory()) links.set(places, {});
 }
 
 void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,

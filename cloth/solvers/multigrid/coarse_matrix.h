@@ -2,12 +2,13 @@
 // The matrix of a coarse level and the loops over it, with the widest vectors that the machine has.
 
 #include <cstdint>
+#include <utility>
 
 #include "cloth/solvers/multigrid/galerkin.h"
 #include "cloth/system/contacts.h"
 #include "cloth/system/implicit_system.h"
 #include "cloth/system/sparse/stencil.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/memory/shared_buffer.h"
 #include "engine/simd/symmetric3.h"
 #include "engine/threads/parallel_blocks.h"
@@ -16,11 +17,13 @@ namespace weft {
 
 /// Symmetric blocks as two rows each.
 struct SymmetricRows {
-    AlignedBuffer<Vec4> diagonal;      ///< xx yy zz, w 0
-    AlignedBuffer<Vec4> off_diagonal;  ///< xy xz yz, w 0
+    ScratchArray<Vec4> diagonal;      ///< xx yy zz, w 0
+    ScratchArray<Vec4> off_diagonal;  ///< xy xz yz, w 0
 
-    explicit SymmetricRows(std::size_t blocks = 0) : diagonal(blocks), off_diagonal(blocks) {}
-    SymmetricRows(std::size_t blocks, Unmade later) : diagonal(blocks, later), off_diagonal(blocks, later) {}
+    void lay_out(Scratch& scratch, std::size_t blocks) {
+        scratch.take(diagonal, blocks);
+        scratch.take(off_diagonal, blocks);
+    }
     [[nodiscard]] Symmetric3 operator[](std::size_t i) const {
         const Vec4 &d = diagonal[i], &o = off_diagonal[i];
         return {.xx = d.x, .yy = d.y, .zz = d.z, .xy = o.x, .xz = o.y, .yz = o.z};
@@ -29,7 +32,6 @@ struct SymmetricRows {
         diagonal[i] = {block.xx, block.yy, block.zz, 0};
         off_diagonal[i] = {block.xy, block.xz, block.yz, 0};
     }
-    [[nodiscard]] std::size_t bytes() const noexcept { return diagonal.bytes() + off_diagonal.bytes(); }
 };
 
 /// Row I:  G_I x_I + sum_J A_IJ (x_I - x_J).  Symmetric blocks are stored as xx, yy, zz, xy, xz, yz.
@@ -39,18 +41,19 @@ struct CoarseMatrix {
     CoarseMatrix() = default;
     CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
     /// From lists that were read.
-    CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows, const GalerkinLists& lists,
-                 Unmade later);
+    CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows)
+        : stencil(std::move(of_level)), link_rows(std::move(rows)) {}
+    void lay_out(Scratch& scratch, const GalerkinLists& lists);
 
     Stencil stencil;                        ///< without entries
-    AlignedBuffer<float> coefficients;      ///< A_IJ per slot: 16 of each entry
-    AlignedBuffer<float> ground;            ///< G_I per group: 16 of each entry
-    AlignedBuffer<float> inverse_diagonal;  ///< likewise; 0 for nodes without inertia
+    ScratchArray<float> coefficients;       ///< A_IJ per slot: 16 of each entry
+    ScratchArray<float> ground;             ///< G_I per group: 16 of each entry
+    ScratchArray<float> inverse_diagonal;   ///< likewise; 0 for nodes without inertia
     SymmetricRows ground_rows;              ///< G_I by node
     SymmetricRows links;                    ///< A_IJ by place in the lists, and behind them one that is 0
     SharedBuffer<std::uint32_t> link_rows;  ///< of each entry: its link's number in `links`
 
-    [[nodiscard]] std::size_t bytes() const noexcept;
+    [[nodiscard]] std::size_t bytes() const noexcept { return stencil.bytes() + link_rows.bytes(); }
 };
 
 /// r_i I + G_i as rows: what holds the particles of a block. Without contacts the rows off the diagonal are

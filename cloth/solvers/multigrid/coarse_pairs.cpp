@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace weft {
@@ -93,26 +94,27 @@ CoarsePairs::Key CoarsePairs::key_between(const Interpolation& p, std::span<cons
     return sum.key();
 }
 
-void CoarsePairs::reserve(std::size_t fine_rows, std::uint32_t nodes) {
-    *this = {};
-    if (fine_rows == 0) return;
-    keys_.reserve(fine_rows);
-    order_.resize(fine_rows);
-    active_.reserve(fine_rows);
-    rows_.resize(std::min(fine_rows, rows_per_node * nodes + least_rows));
-    starts_.resize(std::size_t{nodes} + 1);
-    merged_.resize(std::size_t{nodes} + 1);
+void CoarsePairs::lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t nodes) {
+    clear();
+    const bool any = fine_rows > 0;
+    scratch.take_few(keys_, fine_rows);
+    scratch.take_few(order_, fine_rows);
+    scratch.take_few(active_, fine_rows);
+    scratch.take_few(rows_, std::min(fine_rows, rows_per_node * nodes + least_rows));
+    scratch.take_few(starts_, any ? std::size_t{nodes} + 1 : 0);
+    scratch.take_few(merged_, any ? std::size_t{nodes} + 1 : 0);
 }
 
 // Rows between the same two nodes come to follow one another: counted by the lower node, then sorted by the
 // higher.
-void CoarsePairs::sort_by_nodes(Parallel& parallel) {
-    std::ranges::fill(starts_, 0u);
-    for (const Key& key : keys_)
-        if (key.low != none) ++starts_[key.low + 1];
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    std::ranges::copy(starts_, merged_.begin());
-    for (std::uint32_t k = 0; k < keys_.size(); ++k)
+void CoarsePairs::sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows) {
+    const std::span<std::uint32_t> starts = starts_.span(), merged = merged_.span();
+    std::ranges::fill(starts, 0u);
+    for (const Key& key : keys_.span().first(fine_rows))
+        if (key.low != none) ++starts[key.low + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::ranges::copy(starts, merged.begin());
+    for (std::uint32_t k = 0; k < fine_rows; ++k)
         if (keys_[k].low != none) order_[merged_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
     const auto nodes = static_cast<std::uint32_t>(starts_.size() - 1);
     parallel.ranges(
@@ -129,14 +131,14 @@ void CoarsePairs::sort_by_nodes(Parallel& parallel) {
             }
         },
         nodes_per_block);
-    merged_[nodes] = 0;
-    std::exclusive_scan(merged_.begin(), merged_.end(), merged_.begin(), 0u);
+    merged[nodes] = 0;
+    std::exclusive_scan(merged.begin(), merged.end(), merged.begin(), 0u);
 }
 
 // add_row(k, sum) adds P^T c of fine row k to the sum, unless that is null, and returns its K.
 template <class AddRow>
-void CoarsePairs::merge(Parallel& parallel, const AddRow& add_row) {
-    sort_by_nodes(parallel);
+void CoarsePairs::merge(Parallel& parallel, std::uint32_t fine_rows, const AddRow& add_row) {
+    sort_by_nodes(parallel, fine_rows);
     const auto room = static_cast<std::uint32_t>(rows_.size());
     parallel.ranges(
         static_cast<std::uint32_t>(starts_.size() - 1),
@@ -158,7 +160,7 @@ void CoarsePairs::merge(Parallel& parallel, const AddRow& add_row) {
             }
         },
         nodes_per_block);
-    const std::span<Row> merged = std::span(rows_).first(std::min(room, merged_.back()));
+    const std::span<Row> merged = rows_.span().first(std::min(room, merged_[merged_.size() - 1]));
     const auto left_out =
         std::ranges::remove_if(merged, [](const Row& row) { return !(row.reach > least_reach); });
     size_ = static_cast<std::uint32_t>(merged.size() - left_out.size());
@@ -166,9 +168,9 @@ void CoarsePairs::merge(Parallel& parallel, const AddRow& add_row) {
 
 // A group has room for more than one of its cloths: what is over is left to the finest level.
 void CoarsePairs::list(PairRows& pairs, std::uint32_t first, std::uint32_t particles) {
-    active_.clear();
+    listed_ = 0;
     pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {
-        if (active_.size() < order_.size()) active_.push_back(active);
+        if (listed_ < active_.size()) std::construct_at(&active_[listed_++], active);
     });
 }
 
@@ -184,10 +186,9 @@ CoarsePairs::Key CoarsePairs::key_of(const PairRows::ActivePair& active, std::ui
 
 void CoarsePairs::gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
                          std::span<const float> weights) {
-    const auto count = static_cast<std::uint32_t>(active_.size());
+    const std::uint32_t count = listed_;
     const std::size_t particles = weights.size() / Interpolation::width;
     std::atomic<bool> any_outer = false;
-    keys_.resize(count);
     parallel.ranges(count, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
             const bool inner = is_inner(active_[k], first, particles);
@@ -196,7 +197,7 @@ void CoarsePairs::gather(Parallel& parallel, std::uint32_t first, const Interpol
         }
     });
     has_outer_ = any_outer;
-    merge(parallel, [&](std::uint32_t k, Sum* sum) {
+    merge(parallel, count, [&](std::uint32_t k, Sum* sum) {
         const PairRows::ActivePair& active = active_[k];
         if (sum != nullptr)
             for (std::uint32_t c = 0; c < 4; ++c)
@@ -212,7 +213,6 @@ void CoarsePairs::gather(Parallel& parallel, const CoarsePairs& finer, const Int
         for (std::uint32_t k = 0; k < row.count; ++k)
             sum.add(p, p.weights.span(), row.nodes[k], sign * row.weights[k]);
     };
-    keys_.resize(count);
     parallel.ranges(count, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
             Sum sum;
@@ -220,7 +220,7 @@ void CoarsePairs::gather(Parallel& parallel, const CoarsePairs& finer, const Int
             keys_[k] = sum.key();
         }
     });
-    merge(parallel, [&](std::uint32_t k, Sum* sum) {
+    merge(parallel, count, [&](std::uint32_t k, Sum* sum) {
         if (sum != nullptr) add_row(fine[k], keys_[k].sign, *sum);
         return fine[k].stiffness;
     });
@@ -237,12 +237,6 @@ void CoarsePairs::correct(std::span<const Vec4> b, std::span<const Vec4> x, std:
             target = to_vec4(xyz(target) - row.stiffness * (row.weights[k] * across - bound), 0);
         }
     }
-}
-
-std::size_t CoarsePairs::bytes() const noexcept {
-    return keys_.capacity() * sizeof(Key) + order_.size() * sizeof(Placed) +
-           (starts_.size() + merged_.size()) * sizeof(std::uint32_t) +
-           active_.capacity() * sizeof(PairRows::ActivePair) + rows_.size() * sizeof(Row);
 }
 
 }  // namespace weft

@@ -11,8 +11,7 @@
 
 #include "cloth/system/pair_rows.h"
 #include "cloth/system/sparse/interpolation.h"
-#include "engine/memory/aligned_buffer.h"
-#include "engine/memory/hooked_vector.h"
+#include "engine/memory/scratch.h"
 #include "engine/simd/symmetric3.h"
 #include "engine/threads/parallel_blocks.h"
 
@@ -36,9 +35,8 @@ class CoarsePairs {
     /// Rows that there is room for, for each node; what is beyond them is left out.
     static constexpr std::size_t rows_per_node = 24, least_rows = 64;
 
-    /// Takes the memory for so many rows of a finer level, which become rows of `nodes` coarse nodes; or, of
-    /// none, frees it.
-    void reserve(std::size_t fine_rows, std::uint32_t nodes);
+    /// For so many rows of a finer level, which become rows of `nodes` coarse nodes; there are none as yet.
+    void lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t nodes);
     [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
 
     /// Lists the pairs that push one of a cloth's `particles` from `first` on. Pairs are asked for them by
@@ -48,7 +46,9 @@ class CoarsePairs {
     /// level to its particles; `weights` are its weights, 0 where pinned.
     void gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
                 std::span<const float> weights);
-    [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept { return active_; }
+    [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept {
+        return active_.span().first(listed_);
+    }
     /// Of the rows of a finer coarse level.
     void gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p);
 
@@ -62,12 +62,11 @@ class CoarsePairs {
     [[nodiscard]] bool has_outer() const noexcept { return has_outer_; }
 
     void clear() noexcept {
-        active_.clear();
-        size_ = 0;
+        listed_ = size_ = 0;
         has_outer_ = false;
     }
 
-    [[nodiscard]] std::span<const Row> rows() const noexcept { return std::span(rows_).first(size_); }
+    [[nodiscard]] std::span<const Row> rows() const noexcept { return rows_.span().first(size_); }
     /// What bounds the rows from above on the diagonal: node k of a row has reach |c_k| K.
     template <class Add>
     void for_each_bound(const Add& add) const {
@@ -77,7 +76,6 @@ class CoarsePairs {
     }
     /// corrected = b - (C - D) x, D being that bound.
     void correct(std::span<const Vec4> b, std::span<const Vec4> x, std::span<Vec4> corrected) const;
-    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     /// A fine row, by the coarse nodes that it is mostly between.
@@ -97,17 +95,17 @@ class CoarsePairs {
                                          std::uint32_t most, std::uint32_t least);
     [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, std::uint32_t first,
                                     const Interpolation& p, std::span<const float> weights);
-    void sort_by_nodes(Parallel& parallel);
+    void sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows);
     template <class AddRow>
-    void merge(Parallel& parallel, const AddRow& add_row);
+    void merge(Parallel& parallel, std::uint32_t fine_rows, const AddRow& add_row);
 
-    HookedVector<Key> keys_;              // of the finer level's rows
-    HookedVector<Placed> order_;          // these, by key
-    HookedVector<std::uint32_t> starts_;  // by low node, of its first in that order
-    HookedVector<std::uint32_t> merged_;  // by low node, of its first coarse row
-    HookedVector<PairRows::ActivePair> active_;
-    HookedVector<Row> rows_;
-    std::uint32_t size_ = 0;
+    ScratchArray<Key> keys_;              // of the finer level's rows
+    ScratchArray<Placed> order_;          // these, by key
+    ScratchArray<std::uint32_t> starts_;  // by low node, of its first in that order
+    ScratchArray<std::uint32_t> merged_;  // by low node, of its first coarse row
+    ScratchArray<PairRows::ActivePair> active_;
+    ScratchArray<Row> rows_;
+    std::uint32_t listed_ = 0, size_ = 0;  // active pairs, coarse rows
     bool has_outer_ = false;
 };
 

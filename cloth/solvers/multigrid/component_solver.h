@@ -10,7 +10,7 @@
 #include "cloth/solvers/multigrid/coarse_pairs.h"
 #include "cloth/solvers/multigrid/coarsening.h"
 #include "cloth/solvers/multigrid/galerkin.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/memory/shared_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 
@@ -59,11 +59,8 @@ class ComponentSolver {
   public:
     static constexpr std::uint32_t most_nodes = SmallComponents::most_nodes;
 
-    /// Takes all memory that it needs.
-    explicit ComponentSolver(SmallComponents components)
-        : lists_(std::move(components)), factors_(lists_.components[count()].factor) {}
-    ComponentSolver(SmallComponents components, Unmade later)
-        : lists_(std::move(components)), factors_(lists_.components[count()].factor, later) {}
+    explicit ComponentSolver(SmallComponents components) : lists_(std::move(components)) {}
+    void lay_out(Scratch& scratch) { scratch.take(factors_, lists_.components[count()].factor); }
 
     /// Cholesky factors of the matrix's blocks, in double precision. Rows of pairs within a component take
     /// the place of their bound, which the matrix has.
@@ -73,7 +70,7 @@ class ComponentSolver {
 
     [[nodiscard]] std::size_t nodes() const noexcept { return lists_.nodes.size(); }
     [[nodiscard]] const SmallComponents& components() const noexcept { return lists_; }
-    [[nodiscard]] std::size_t bytes() const noexcept { return lists_.bytes() + factors_.bytes(); }
+    [[nodiscard]] std::size_t bytes() const noexcept { return lists_.bytes(); }
 
   private:
     using Component = SmallComponents::Component;
@@ -85,7 +82,7 @@ class ComponentSolver {
     void solve(std::uint32_t component, std::span<const Vec4> b, std::span<Vec4> x) const;
 
     SmallComponents lists_;
-    AlignedBuffer<double> factors_;  // by columns
+    ScratchArray<double> factors_;  // by columns
 };
 
 }  // namespace weft

@@ -37,6 +37,7 @@ struct RigidChange {
 class FreePieces {
   public:
     explicit FreePieces(const ClothModel& model);
+    [[nodiscard]] std::uint32_t particles() const noexcept { return model_->particle_count; }
     /// Makes room for contact of features; of no pairs, frees it.
     void reserve_pairs(std::size_t count);
 

@@ -52,7 +52,7 @@ SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const
 }  // namespace
 
 Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
-    : system_(&system), pinned_(positions.size()), smooth_(positions.size()), remainder_(positions.size()) {
+    : system_(&system), pinned_(positions.size()) {
     SpringGraph graph = graph_of(parallel, system, positions);
     std::vector<Link> links = links_of(graph);
     std::vector<std::uint32_t> slots, numbers;
@@ -74,29 +74,38 @@ Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const
     constants_.links = SharedBuffer<Link>(constant_links);
     constants_.weights = SharedBuffer<float>(weights);
     make_levels(std::move(graph), std::move(links), numbers);
-    if (coarse_.empty()) return;
-    springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes);
     set_pins(positions);
+    lay_out_alone();
 }
 
 Multigrid::Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles)
     : system_(&system),
       slots_(std::move(saved.slots)),
       constants_{std::move(saved.constant_links), std::move(saved.constant_weights)},
-      pinned_(particles),
-      smooth_(particles, unmade),
-      remainder_(particles, unmade) {
+      pinned_(particles) {
     coarse_.reserve(saved.levels.size());
     for (CoarseLevel::Constants& level : saved.levels) {
         level.lists.constants.sums = AlignedBuffer<float>(level.lists.groups() * Stencil::lanes);
-        coarse_.emplace_back(std::move(level), unmade);
+        coarse_.emplace_back(std::move(level));
     }
     if (coarse_.empty()) return;
     const SharedBuffer<float>& weights = coarse_.front().interpolation().weights;
     weights_ = AlignedBuffer<float>::from_bytes(std::as_bytes(weights.span()));
     has_pins_set_ = !saved.constant_sums.empty();
     std::ranges::copy(saved.constant_sums, coarse_.front().constants().sums.data());
-    springs_ = AlignedBuffer<Vec4>(slots_.size() * Stencil::lanes, unmade);
+}
+
+void Multigrid::lay_out(Scratch& scratch, std::size_t pairs) {
+    own_scratch_.free();
+    has_pairs_ = pairs > 0;
+    scratch.take(smooth_, pinned_.size());
+    scratch.take(remainder_, pinned_.size());
+    if (coarse_.empty()) return;
+    scratch.take(springs_, slots_.size() * Stencil::lanes);
+    for (CoarseLevel& level : coarse_) {
+        level.lay_out(scratch, pairs);
+        pairs = level.pairs().room();
+    }
 }
 
 SavedLevels Multigrid::constant_part() const {
@@ -278,14 +287,6 @@ void Multigrid::reserve_pins(std::size_t count) {
     held_.reserve(std::min(count * most_links_, all_links_));
 }
 
-void Multigrid::reserve_pairs(std::size_t count) {
-    for (CoarseLevel& level : coarse_) {
-        level.reserve_pairs(count);
-        count = level.pairs().room();
-    }
-    has_pairs_ = count > 0;
-}
-
 void Multigrid::list_pairs(PairRows* pairs, std::uint32_t first) {
     if (coarse_.empty() || !has_pairs_) return;
     first_ = first;
@@ -305,7 +306,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
     for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
     // The bound of a level's own rows is no ground of the next one's, which has rows of its own.
     for (CoarseLevel& level : coarse_) {
-        if (has_pairs_) level.add_bound_of_pairs();
+        level.add_bound_of_pairs();
         level.finish(parallel);
     }
 }
@@ -343,7 +344,7 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
                           remainder_.data());
     });
     CoarseLevel& first = coarse_.front();
-    if (has_pairs_ && first.pairs().has_outer()) hold_other_bodies();
+    if (first.pairs().has_outer()) hold_other_bodies();
     first.sum_ground(parallel, smooth_.span(),
                      system.contacts() != nullptr ? remainder_.span() : std::span<const Vec4>());
     // What holds a free particle holds the coarse nodes that it interpolates from.
@@ -402,10 +403,9 @@ void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
 }
 
 std::size_t Multigrid::bytes() const noexcept {
-    std::size_t sum = slots_.bytes() + springs_.bytes() + held_.capacity() * sizeof(HeldSpring) +
-                      pinned_.bytes() + constants_.links.bytes() + constants_.weights.bytes() +
-                      weights_.bytes() + coarse_.size() * sizeof(CoarseLevel) + smooth_.bytes() +
-                      remainder_.bytes();
+    std::size_t sum = slots_.bytes() + held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() +
+                      constants_.links.bytes() + constants_.weights.bytes() + weights_.bytes() +
+                      coarse_.size() * sizeof(CoarseLevel);
     for (const CoarseLevel& level : coarse_) sum += level.bytes();
     return sum;
 }

@@ -19,8 +19,7 @@ class Multigrid {
     /// and the pins. The system is to outlive the levels.
     Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
-    /// From levels that fit the system; no particle is pinned. Of use to be copied alone: what changes has no
-    /// memory.
+    /// From levels that fit the system; no particle is pinned. Without memory of its own.
     Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles);
     /// What is constant of these levels, shared with them.
     [[nodiscard]] SavedLevels constant_part() const;
@@ -40,8 +39,11 @@ class Multigrid {
     /// From then on so many particles can be pinned at a time without taking memory.
     void reserve_pins(std::size_t count);
 
-    /// Makes room for contact of the cloth with itself, with so many pairs; of none, frees it.
-    void reserve_pairs(std::size_t count);
+    /// Lays out the operators and vectors of a substep; for contact of the cloth with itself in up to so many
+    /// pairs.
+    void lay_out(Scratch& scratch, std::size_t pairs);
+    /// The same in memory of its own, as levels have that were made, and copies have not.
+    void lay_out_alone(std::size_t pairs = 0) { own_scratch_.lay_out(*this, pairs); }
 
     /// Lists the pairs that push the cloth, if there are any, for build(): its particles are numbered from
     /// `first` on in these. Pairs are asked for them by one cloth at a time.
@@ -97,14 +99,15 @@ class Multigrid {
 
     const ImplicitSystem* system_;
     SharedBuffer<std::uint32_t> slots_;  // of the system: those with links at their first ends, ascending
-    AlignedBuffer<Vec4> springs_;        // of these slots: see ImplicitSystem::spring_blocks
+    ScratchArray<Vec4> springs_;         // of these slots: see ImplicitSystem::spring_blocks
     ConstantLinks constants_;
     HeldSprings held_;                    // ascending by pinned particle, then by neighbour
     AlignedBuffer<std::uint8_t> pinned_;  // 1 or 0
     AlignedBuffer<float> weights_;        // of the first level's P, rows of pinned particles 0
     std::vector<CoarseLevel> coarse_;
-    AlignedBuffer<Vec4> smooth_, remainder_;
-    bool has_pairs_ = false;
+    ScratchArray<Vec4> smooth_, remainder_;
+    OwnScratch own_scratch_;
+    bool has_pairs_ = false;     // it was laid out for any
     std::uint32_t first_ = 0;    // of the cloth's particles in the pairs that are listed
     bool has_pins_set_ = false;  // what follows from pins was made
     // Of a particle that has the most, and of all; 0 until they were counted.

@@ -23,8 +23,6 @@ MultilevelSolver::MultilevelSolver(const ClothModel& model, const ClothSettings&
                   ? std::make_unique<SpringSystem>(model, std::move(*saved->springs))
                   : make_system(model, settings)),
       multigrid_(make_levels(model, *system_, saved)),
-      vectors_(saved != nullptr ? PassVectors(model.particle_count, unmade)
-                                : PassVectors(model.particle_count)),
       pieces_(model),
       rest_area_(rest_area(model)),
       residual_(model, settings) {
@@ -35,10 +33,17 @@ MultilevelSolver::MultilevelSolver(const MultilevelSolver& other, const ClothMod
     : kind_(other.kind_),
       system_(other.system_->clone(model)),
       multigrid_(std::make_unique<Multigrid>(*other.multigrid_, *system_)),
-      vectors_(model.particle_count),
       pieces_(model),
       rest_area_(other.rest_area_),
       residual_(other.residual_, model) {}
+
+void MultilevelSolver::lay_out(Scratch& scratch, std::size_t pairs) {
+    Solver::lay_out(scratch, pairs);
+    system_->lay_out(scratch);
+    multigrid_->lay_out(scratch, pairs);
+    vectors_.lay_out(scratch, pieces_.particles());
+    residual_.lay_out(scratch);
+}
 
 bool MultilevelSolver::serves(const ClothSettings& settings) const {
     return std::holds_alternative<Multilevel>(settings.method) && SystemKind(settings) == kind_;
@@ -53,7 +58,6 @@ void MultilevelSolver::inverse_mass_changed(std::uint32_t particle,
 }
 
 void MultilevelSolver::reserve_pairs(std::size_t count) {
-    multigrid_->reserve_pairs(count);
     pieces_.reserve_pairs(count);
 }
 
@@ -82,7 +86,7 @@ std::span<const Vec4> MultilevelSolver::left_to_contact(const SolverStep& step) 
 }
 
 std::size_t MultilevelSolver::bytes() const noexcept {
-    return system_->bytes() + multigrid_->bytes() + vectors_.bytes() + pieces_.bytes() + residual_.bytes();
+    return system_->bytes() + multigrid_->bytes() + pieces_.bytes();
 }
 
 }  // namespace weft

@@ -25,6 +25,7 @@ class MultilevelSolver final : public Solver {
         return std::make_unique<MultilevelSolver>(*this, model);
     }
     void make_own(const ClothSettings& settings) override { system_->make_own(settings.fabric); }
+    void lay_out(Scratch& scratch, std::size_t pairs) override;
     SolveResult solve(const SolverStep& step) override;
 
     /// The cloth as a member of a group. The step must outlive it.

@@ -86,7 +86,7 @@ class Passes {
     SolveResult operator()();
 
   private:
-    using Vector = AlignedBuffer<Vec4> PassVectors::*;
+    using Vector = ScratchArray<Vec4> PassVectors::*;
 
     /// The members' that have features; null if none of these touch.
     [[nodiscard]] static PairRows* pairs_of(std::span<const PassMember> members);

@@ -10,7 +10,7 @@
 #include "cloth/solvers/solver.h"
 #include "cloth/solvers/step_residual.h"
 #include "cloth/system/implicit_system.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 
 namespace weft {
 
@@ -29,31 +29,18 @@ struct VelocitySums {
 
 /// Vectors of one cloth: one Vec4 a particle, w 0; where the particle is pinned, all is 0.
 struct PassVectors {
-    explicit PassVectors(std::uint32_t particles)
-        : motion(particles),
-          change(particles),
-          correction(particles),
-          of_motion(particles),
-          of_change(particles),
-          partials(block_count(particles)) {}
-    PassVectors(std::uint32_t particles, Unmade later)
-        : motion(particles, later),
-          change(particles, later),
-          correction(particles, later),
-          of_motion(particles, later),
-          of_change(particles, later),
-          partials(block_count(particles), later) {}
-    [[nodiscard]] std::size_t bytes() const noexcept {
-        return motion.bytes() + change.bytes() + correction.bytes() + of_motion.bytes() + of_change.bytes() +
-               partials.bytes();
+    void lay_out(Scratch& scratch, std::uint32_t particles) {
+        for (auto* vector : {&motion, &change, &correction, &of_motion, &of_change})
+            scratch.take(*vector, particles);
+        scratch.take(partials, block_count(particles));
     }
 
-    AlignedBuffer<Vec4> motion;                ///< velocity in the group's frame [m/s]
-    AlignedBuffer<Vec4> change;                ///< of the velocity, in the last pass [m/s]
-    AlignedBuffer<Vec4> correction;            ///< by a multigrid cycle, of what these two leave [m/s]
-    AlignedBuffer<Vec4> of_motion, of_change;  ///< W times these [kg m/s]
-    AlignedBuffer<VelocitySums> partials;      ///< of blocks
-    Products products;                         ///< of the multiplication that was last
+    ScratchArray<Vec4> motion;                ///< velocity in the group's frame [m/s]
+    ScratchArray<Vec4> change;                ///< of the velocity, in the last pass [m/s]
+    ScratchArray<Vec4> correction;            ///< by a multigrid cycle, of what these two leave [m/s]
+    ScratchArray<Vec4> of_motion, of_change;  ///< W times these [kg m/s]
+    ScratchArray<VelocitySums> partials;      ///< of blocks
+    Products products;                        ///< of the multiplication that was last
 };
 
 /// A cloth of a group: its step, and what its solver owns.

@@ -17,8 +17,7 @@ GridWindows::GridWindows(const Diagonals& diagonals, std::uint32_t exchanged) {
     floats_ = 3 * vectors * (ring_ahead(reach) + Stencil::lanes);
     for (std::uint32_t d = 0; d < diagonals.count; ++d)
         floats_ += exchanged * (ring_of(diagonals.differences[d]) + Stencil::lanes);
-    values_ =
-        AlignedBuffer<float>(std::size_t{floats_} * std::max(1u, diagonals.nodes / shortest_tile(reach)));
+    count_ = std::max(1u, diagonals.nodes / shortest_tile(reach));
 }
 
 std::uint32_t GridWindows::tiles(std::uint32_t rows, int width) const {

@@ -14,7 +14,7 @@
 #include <cstdint>
 
 #include "cloth/system/grid/diagonals.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
@@ -27,7 +27,7 @@ struct GridWindow {
     std::uint32_t at = nowhere;  ///< the row at which the loop must go on, or it begins anew
 };
 
-/// Memory for the windows of loops over a grid. Empty for what is no grid.
+/// The windows of loops over a grid, in scratch. Empty for what is no grid.
 class GridWindows {
   public:
     static constexpr std::uint32_t vectors = 2;  ///< whose rows a loop reads ahead, at most
@@ -35,6 +35,8 @@ class GridWindows {
     GridWindows() = default;
     /// `exchanged`: how many floats one neighbour gives the other, at most.
     GridWindows(const Diagonals& diagonals, std::uint32_t exchanged);
+    void lay_out(Scratch& scratch) { scratch.take(values_, floats()); }
+    [[nodiscard]] std::size_t floats() const noexcept { return std::size_t{count_} * floats_; }
 
     /// Rows are read by so much earlier than they are needed, since a load that overlaps a recent store has
     /// to wait until the store has reached the cache.
@@ -49,22 +51,19 @@ class GridWindows {
         return std::bit_ceil(is_near(difference) ? 4 * Stencil::lanes : Stencil::whole_groups(difference));
     }
 
-    [[nodiscard]] bool empty() const noexcept { return values_.size() == 0; }
+    [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
     /// Precondition: k < count().
     [[nodiscard]] GridWindow window(std::uint32_t k) {
         return {.values = values_.data() + std::size_t{k} * floats_};
     }
-    [[nodiscard]] std::uint32_t count() const noexcept {
-        return empty() ? 0 : static_cast<std::uint32_t>(values_.size() / floats_);
-    }
-    [[nodiscard]] std::size_t bytes() const noexcept { return values_.bytes(); }
+    [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
 
     /// Into how many tiles of whole blocks a loop is cut, each with a window. Precondition: not empty.
     [[nodiscard]] std::uint32_t tiles(std::uint32_t rows, int width) const;
 
   private:
-    std::uint32_t floats_ = 0;  // of a window
-    AlignedBuffer<float> values_;
+    std::uint32_t count_ = 0, floats_ = 0;  // windows, and floats of each
+    ScratchArray<float> values_;
 };
 
 /// body(tile, window) for tiles of [0, rows), each of whole blocks. Precondition: windows are not empty.

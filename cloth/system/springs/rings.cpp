@@ -29,9 +29,6 @@ Rings::Rings(const ClothModel& model, const RingOrder& order, const SpringMatrix
       corners_(model.rows == 0 ? 3 * model.triangles.size() : 0) {
     springs_ = SharedBuffer<float>(std::size_t{count} * lanes * matrix.places());
     if (stiffens) stiffening_ = SharedBuffer<float>(std::size_t{stiffening_count} * lanes * matrix.places());
-    complete(unmade);
-    directions_ = AlignedBuffer<std::uint16_t>(directions_.size());
-    reached_ = AlignedBuffer<std::uint16_t>(reached_.size());
     for (std::uint32_t e = 0; e < model.neighbours.size(); ++e) {
         bending_[matrix.stencil.entries[e]] = model.bending[e];
         stiffest_bending_ = std::max(stiffest_bending_, std::abs(model.bending[e]));
@@ -57,9 +54,9 @@ Rings::Rings(const ClothModel& model, const RingOrder& order, const SpringMatrix
     }
 }
 
-void Rings::complete(Unmade later) {
-    directions_ = AlignedBuffer<std::uint16_t>(springs_.size() / count * directions_count, later);
-    reached_ = AlignedBuffer<std::uint16_t>(stiffening_.size() / stiffening_count * reached_count, later);
+void Rings::lay_out(Scratch& scratch) {
+    scratch.take(directions_, springs_.size() / count * directions_count);
+    scratch.take(reached_, stiffening_.size() / stiffening_count * reached_count);
 }
 
 bool Rings::is_sound(const ClothModel& model, std::size_t places, std::size_t entries, bool stiffens) const {

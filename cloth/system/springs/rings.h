@@ -10,7 +10,7 @@
 #include "cloth/system/springs/membrane.h"
 #include "cloth/system/springs/ring_order.h"
 #include "cloth/system/springs/spring_matrix.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/memory/shared_buffer.h"
 #include "weft/settings.h"
 
@@ -72,8 +72,7 @@ class Rings {
     /// Whether lists that were read fit so many places and entries, and name only what there is.
     [[nodiscard]] bool is_sound(const ClothModel& model, std::size_t places, std::size_t entries,
                                 bool stiffens) const;
-    /// After lists were read: gives what changes its size, without memory.
-    void complete(Unmade later);
+    void lay_out(Scratch& scratch);
     /// Gives one that is a copy memory of its own for other fabrics. May run out of memory.
     void make_own();
     /// Takes O(springs). Precondition: make_own().
@@ -98,7 +97,7 @@ class Rings {
     [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< B = 1 [1/m^2]
     [[nodiscard]] std::size_t bytes() const noexcept {
         return springs_.bytes() + stiffening_.bytes() + bending_.bytes() + last_.bytes() + closes_.bytes() +
-               corners_.bytes() + directions_.bytes() + reached_.bytes();
+               corners_.bytes();
     }
 
   private:
@@ -120,7 +119,7 @@ class Rings {
     /// The place * 16 + lane of each corner of each triangle, times 2; plus 1 where side b leads to the
     /// triangle's next corner.
     SharedBuffer<std::uint32_t> corners_;
-    AlignedBuffer<std::uint16_t> directions_, reached_;
+    ScratchArray<std::uint16_t> directions_, reached_;
     float stiffest_ = 0, stiffest_bending_ = 0;
 };
 

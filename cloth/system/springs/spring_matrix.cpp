@@ -193,7 +193,9 @@ struct SlotHalves {
 };
 SlotHalves halves_of(const SpringMatrix& matrix, std::uint32_t slot) {
     const std::uint16_t* const all = matrix.coefficients.data();
-    if (!matrix.diagonals.empty()) return {all + std::size_t{4} * slot * Stencil::lanes, true};
+    if (!matrix.diagonals.empty())
+        return {all + std::size_t{4} * slot * Stencil::lanes,
+                !matrix.isotropic[slot % matrix.diagonals.count]};
     const std::uint32_t group = matrix.stencil.group_of(slot), first = matrix.stencil.group_slots[group];
     return {all + matrix.halves(group, slot - first), slot - first < matrix.springs_of(group)};
 }
@@ -225,22 +227,14 @@ HWY_EXPORT(relax_corrected);
 HWY_EXPORT(precondition);
 HWY_EXPORT(unpack);
 
-SpringMatrix::SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid)
-    : stencil(std::move(of_rings)),
-      group_places(std::move(places)),
-      diagonals(of_grid),
-      coefficients(all_halves()),
-      row_sums(stencil.nodes),
-      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
-
-SpringMatrix::SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid,
-                           Unmade later)
-    : stencil(std::move(of_rings)),
-      group_places(std::move(places)),
-      diagonals(of_grid),
-      coefficients(all_halves(), later),
-      row_sums(stencil.nodes, later),
-      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes, later) {}
+// Narrow vectors do not write all lanes of the last group, but in a grid read D^-1 b ahead to its end.
+void SpringMatrix::lay_out(Scratch& scratch) {
+    constexpr std::size_t of_group = std::size_t{6} * Stencil::lanes;
+    scratch.take(coefficients, all_halves());
+    scratch.take(row_sums, stencil.nodes);
+    scratch.take(inverse_diagonal, of_group * stencil.groups());
+    if (scratch.has_memory()) std::ranges::fill(inverse_diagonal.span().last(of_group), 0.0f);
+}
 
 // Halves reach from 2^-14 (2^-24 with fewer digits) to 2^16. With |d| of at most 2^7 units, a is at most 2^14
 // square units, and the softest spring that keeps its digits is 2^28 times softer than the stiffest.

@@ -6,11 +6,12 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "cloth/system/contacts.h"
 #include "cloth/system/grid/diagonals.h"
 #include "cloth/system/implicit_system.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/memory/shared_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 
@@ -27,9 +28,9 @@ namespace weft {
 struct SpringMatrix {
     SpringMatrix() = default;
     /// The matrix of rings and their places; or of a grid, whose stencil has no lists.
-    SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid);
-    SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid,
-                 Unmade later);
+    SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid)
+        : stencil(std::move(of_rings)), group_places(std::move(places)), diagonals(of_grid) {}
+    void lay_out(Scratch& scratch);
     /// Chooses the unit so that blocks A of up to `largest_block` [kg] fit half precision.
     void set_unit(float largest_block);
 
@@ -74,20 +75,17 @@ struct SpringMatrix {
     Diagonals diagonals;  ///< empty for what is no grid
     /// Diagonals along which there is bending alone: d is 0, and neither written nor read.
     std::array<bool, Diagonals::most> isotropic{};
-    float unit = 1;                             ///< of d [sqrt(kg)], and its square of a; a power of two
-    AlignedBuffer<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z; see halves()
-    AlignedBuffer<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
-    const ContactRows* contacts = nullptr;      ///< G; null: there are no colliders
-    AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
+    float unit = 1;                            ///< of d [sqrt(kg)], and its square of a; a power of two
+    ScratchArray<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z; see halves()
+    ScratchArray<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    const ContactRows* contacts = nullptr;     ///< G; null: there are no colliders
+    ScratchArray<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t all_halves() const noexcept {
         if (!diagonals.empty()) return 4 * entries();
         return Stencil::lanes * (stencil.slots() + std::size_t{3} * (places() - stencil.groups()));
     }
-    [[nodiscard]] std::size_t bytes() const noexcept {
-        return stencil.bytes() + group_places.bytes() + coefficients.bytes() + row_sums.bytes() +
-               inverse_diagonal.bytes();
-    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return stencil.bytes() + group_places.bytes(); }
 };
 
 /// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.

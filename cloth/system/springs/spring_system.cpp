@@ -58,25 +58,28 @@ SpringSystem::SpringSystem(const ClothModel& model, bool stiffens)
         const RingOrder order(model);
         matrix_ = SpringMatrix(order.stencil(model), places_of(order, model.particle_count), {});
         rings_ = Rings(model, order, matrix_, stiffens);
-        positions_ = AlignedBuffer<Vec4>(model.particle_count);
     }
     prepare(Fabric());
+    lay_out_alone();
 }
 
 SpringSystem::SpringSystem(const ClothModel& model, SavedSprings&& saved)
-    : ImplicitSystem(model.particle_count, unmade),
+    : ImplicitSystem(model.particle_count),
       model_(&model),
-      matrix_(std::move(saved.stencil), std::move(saved.places), saved.diagonals, unmade),
+      matrix_(std::move(saved.stencil), std::move(saved.places), saved.diagonals),
       membrane_(saved.membrane),
       table_(std::move(saved.table)),
       rings_(std::move(saved.rings)) {
     windows_ = GridWindows(matrix_.diagonals, 7);
-    if (!rings_.empty()) {
-        rings_.complete(unmade);
-        positions_ = AlignedBuffer<Vec4>(model.particle_count, unmade);
-    }
     for (std::uint32_t d = 0; d < matrix_.diagonals.count; ++d)
         matrix_.isotropic[d] = (saved.isotropic >> d & 1) != 0;
+}
+
+void SpringSystem::lay_out(Scratch& scratch) {
+    ImplicitSystem::lay_out(scratch);
+    matrix_.lay_out(scratch);
+    rings_.lay_out(scratch);
+    scratch.take(positions_, rings_.empty() ? 0 : model_->particle_count);
 }
 
 std::optional<SavedSprings> SpringSystem::springs() const {
@@ -242,7 +245,7 @@ std::uint32_t SpringSystem::entry_between(std::uint32_t i, std::uint32_t j) cons
 }
 
 std::size_t SpringSystem::bytes() const noexcept {
-    return ImplicitSystem::bytes() + matrix_.bytes() + table_.bytes() + rings_.bytes() + positions_.bytes();
+    return matrix_.bytes() + table_.bytes() + rings_.bytes();
 }
 
 }  // namespace weft

@@ -53,12 +53,13 @@ class SpringSystem final : public ImplicitSystem {
   public:
     /// `stiffens`: for fabrics that do, and others.
     explicit SpringSystem(const ClothModel& model, bool stiffens = false);
-    /// Of use to be cloned alone: what changes has no memory.
+    /// Without memory of its own.
     SpringSystem(const ClothModel& model, SavedSprings&& saved);
     [[nodiscard]] std::optional<SavedSprings> springs() const override;
     [[nodiscard]] std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const override;
     void make_own(const Fabric& fabric) override;
     void prepare(const Fabric& fabric) noexcept override;
+    void lay_out(Scratch& scratch) override;
 
     void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                    LinearisedAbout about) override;
@@ -104,8 +105,8 @@ class SpringSystem final : public ImplicitSystem {
     SpringTable table_;                     // of a grid
     Rings rings_;                           // of any other mesh
     float constant_scale_ = 0;
-    float coupling_ = 0;             // gamma^2 of the last linearisation about an iterate, on meshes
-    AlignedBuffer<Vec4> positions_;  // of rings: x_base + gamma v; in a grid added up on the way
+    float coupling_ = 0;            // gamma^2 of the last linearisation about an iterate, on meshes
+    ScratchArray<Vec4> positions_;  // of rings: x_base + gamma v; in a grid added up on the way
 };
 
 }  // namespace weft

@@ -84,8 +84,7 @@ namespace weft {
 HWY_EXPORT(compute);
 
 TriangleElements::TriangleElements(const ClothModel& model)
-    : count(static_cast<std::uint32_t>(model.triangles.size())),
-      results(std::size_t{(count + Stencil::lanes - 1) / Stencil::lanes + 1} * Stencil::lanes * rows) {
+    : count(static_cast<std::uint32_t>(model.triangles.size())) {
     for (SharedBuffer<std::uint32_t>& corner : corners) corner = SharedBuffer<std::uint32_t>(count);
     for (SharedBuffer<float>& values : rest) values = SharedBuffer<float>(count);
     for (std::uint32_t t = 0; t < count; ++t) {
@@ -102,8 +101,14 @@ TriangleElements::TriangleElements(const ClothModel& model)
     }
 }
 
+void TriangleElements::lay_out(Scratch& scratch) {
+    constexpr std::size_t of_group = std::size_t{rows} * Stencil::lanes;
+    scratch.take(results, zero_side() + of_group);
+    if (scratch.has_memory()) std::ranges::fill(results.span().last(of_group), Vec4{});
+}
+
 std::size_t TriangleElements::bytes() const noexcept {
-    std::size_t sum = results.bytes();
+    std::size_t sum = 0;
     for (const SharedBuffer<std::uint32_t>& corner : corners) sum += corner.bytes();
     for (const SharedBuffer<float>& values : rest) sum += values.bytes();
     return sum;

@@ -7,7 +7,7 @@
 
 #include "cloth/mesh/cook.h"
 #include "cloth/system/sparse/stencil.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/memory/shared_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 #include "weft/settings.h"
@@ -17,6 +17,7 @@ namespace weft {
 /// Rest shapes and results, in groups of 16 triangles.
 struct TriangleElements {
     explicit TriangleElements(const ClothModel& model);
+    void lay_out(Scratch& scratch);
 
     /// Rows per triangle: for each side, from corner k to the next, the three rows of that block of Stiffness
     /// and the force on corner k [N].
@@ -25,7 +26,7 @@ struct TriangleElements {
     std::uint32_t count;
     std::array<SharedBuffer<std::uint32_t>, 3> corners;  ///< particles
     std::array<SharedBuffer<float>, 5> rest;             ///< the members of RestTriangle, in its order
-    AlignedBuffer<Vec4> results;                         ///< per group 16 of each row; last a group of zeros
+    ScratchArray<Vec4> results;                          ///< per group 16 of each row; last a group of zeros
 
     /// Where the first row of a side is in the results; the others follow, every 16.
     [[nodiscard]] static std::uint32_t side(std::uint32_t triangle, std::uint32_t corner) noexcept {

@@ -97,11 +97,11 @@ HWY_EXPORT(subtract_product);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 
-TriangleMatrix::TriangleMatrix(Stencil neighbours)
-    : stencil(std::move(neighbours)),
-      blocks(9 * stencil.neighbours.size()),
-      row_sums(stencil.nodes),
-      inverse_diagonal(std::size_t{6} * stencil.groups() * Stencil::lanes) {}
+void TriangleMatrix::lay_out(Scratch& scratch) {
+    scratch.take(blocks, 9 * stencil.neighbours.size());
+    scratch.take(row_sums, stencil.nodes);
+    scratch.take(inverse_diagonal, std::size_t{6} * stencil.groups() * Stencil::lanes);
+}
 
 Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const DottedWith& with,
                         const Vec4* x, Vec4* product) {

@@ -2,10 +2,11 @@
 // The matrix of finite elements, whose blocks may be any 3x3 matrices, and the loops over its rows.
 
 #include <cstdint>
+#include <utility>
 
 #include "cloth/system/contacts.h"
 #include "cloth/system/implicit_system.h"
-#include "engine/memory/aligned_buffer.h"
+#include "engine/memory/scratch.h"
 #include "engine/memory/shared_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 
@@ -14,20 +15,20 @@ namespace weft {
 /// W by rows, in groups of 16 particles: (W x)_i = (r_i + G_i) x_i + sum_j A_ij (x_i - x_j) + scale sum_j
 /// a_ij (x_i - x_j), blocks A over one stencil and numbers a, which never change, over another.
 struct TriangleMatrix {
-    explicit TriangleMatrix(Stencil neighbours);
+    explicit TriangleMatrix(Stencil neighbours) : stencil(std::move(neighbours)) {}
+    void lay_out(Scratch& scratch);
 
     Stencil stencil;
-    AlignedBuffer<float> blocks;  ///< per slot 9 times 16 entries of A, by rows
+    ScratchArray<float> blocks;  ///< per slot 9 times 16 entries of A, by rows
     Stencil scalar_stencil;
     SharedBuffer<float> scalars;            ///< a, per entry of the scalar stencil
     float scale = 0;                        ///< 0: no scalars
-    AlignedBuffer<float> row_sums;          ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
+    ScratchArray<float> row_sums;           ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
     const ContactRows* contacts = nullptr;  ///< G; null: there are no colliders
-    AlignedBuffer<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
+    ScratchArray<float> inverse_diagonal;   ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return stencil.bytes() + blocks.bytes() + scalar_stencil.bytes() + scalars.bytes() +
-               row_sums.bytes() + inverse_diagonal.bytes();
+        return stencil.bytes() + scalar_stencil.bytes() + scalars.bytes();
     }
 };
 

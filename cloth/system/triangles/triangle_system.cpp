@@ -64,15 +64,23 @@ TriangleSystem::TriangleSystem(const ClothModel& model, const ClothSettings& set
       model_(&model),
       elements_(model),
       matrix_(Stencil(rows.offsets, rows.neighbours)),
-      sources_(model, elements_, matrix_.stencil, rows),
-      positions_(model.particle_count) {
+      sources_(model, elements_, matrix_.stencil, rows) {
     const bool has_hinges = !bending.hinges.empty();
     if (has_hinges && settings.finite_elements.dihedral) store_dihedral_bending(bending, rows);
     if (has_hinges && !settings.finite_elements.dihedral) store_quadratic_bending(bending);
     if (hinges_ || settings.finite_elements.consistent_mass) {
         additions_.impulses = AlignedBuffer<Vec4>(model.particle_count);
-        additions_.diagonals = AlignedBuffer<float>(matrix_.inverse_diagonal.size());
+        additions_.diagonals =
+            AlignedBuffer<float>(std::size_t{6} * Stencil::lanes * matrix_.stencil.groups());
     }
+    lay_out_alone();
+}
+
+void TriangleSystem::lay_out(Scratch& scratch) {
+    ImplicitSystem::lay_out(scratch);
+    elements_.lay_out(scratch);
+    matrix_.lay_out(scratch);
+    scratch.take(positions_, model_->particle_count);
 }
 
 std::unique_ptr<ImplicitSystem> TriangleSystem::clone(const ClothModel& model) const {
@@ -265,8 +273,8 @@ void TriangleSystem::spring_blocks(Parallel& parallel, std::span<const std::uint
 }
 
 std::size_t TriangleSystem::bytes() const noexcept {
-    return ImplicitSystem::bytes() + elements_.bytes() + matrix_.bytes() + sources_.bytes() +
-           additions_.bytes() + quadratic_.bytes() + (hinges_ ? hinges_->bytes() : 0) + positions_.bytes();
+    return elements_.bytes() + matrix_.bytes() + sources_.bytes() + additions_.bytes() + quadratic_.bytes() +
+           (hinges_ ? hinges_->bytes() : 0);
 }
 
 }  // namespace weft

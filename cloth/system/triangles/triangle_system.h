@@ -25,6 +25,7 @@ class TriangleSystem final : public ImplicitSystem {
     TriangleSystem(const ClothModel& model, const ClothSettings& settings);
 
     [[nodiscard]] std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const override;
+    void lay_out(Scratch& scratch) override;
     void linearise(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                    LinearisedAbout about) override;
     void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
@@ -75,7 +76,7 @@ class TriangleSystem final : public ImplicitSystem {
     RowAdditions additions_;
     SharedBuffer<float> quadratic_;        // see TriangleState
     std::optional<HingeElements> hinges_;  // only with dihedral bending
-    AlignedBuffer<Vec4> positions_;        // that the last linearise or residual was about
+    ScratchArray<Vec4> positions_;         // that the last linearise or residual was about
 };
 
 }  // namespace weft

@@ -108,6 +108,7 @@ ConvergedSolver::ConvergedSolver(const ClothModel& model, const ClothSettings& s
     if (model.particle_count <= ExactSolve::usual_limit) return;
     approach_settings_.method = Multilevel{.passes = 60};
     approach_ = std::make_unique<MultilevelSolver>(model, approach_settings_, model.positions.span());
+    approach_->lay_out_alone();
 }
 
 void ConvergedSolver::inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept {

@@ -23,7 +23,7 @@ class ShortChebyshevSolver final : public LinearSolver {
 
   protected:
     bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) override {
-        solve_chebyshev(step.parallel, system, iterations, interval, scratch_, dv);
+        solve_chebyshev(step.parallel, system, iterations, interval, scratch_.span(), dv);
         return true;
     }
 

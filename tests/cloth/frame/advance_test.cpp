@@ -11,6 +11,7 @@
 #include "cloth/frame/advance/survey.h"
 #include "hwy/targets.h"
 #include "tests/cloth/fixtures.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -39,7 +40,7 @@ struct Substep {
     Cloth cloth;
     ClothState start;
     AlignedBuffer<Vec4> solved;
-    History history;
+    LaidOut<History> history;
 };
 
 class AdvanceKernels : public testing::TestWithParam<std::int64_t> {

@@ -16,6 +16,7 @@
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "tests/cloth/system/dense_algebra.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -212,7 +213,7 @@ TEST(PinPatterns, StepConvergesToTheDenseSolution) {
     for_each_pinned(8, [](Pinned& pinned) {
         const DenseSystem system = dense_coupled(*pinned.system);
         const Eigen::VectorXd exact = solution(system.matrix, system.right_side);
-        CgVectors vectors(pinned.cloth.model.particle_count);
+        LaidOut<CgVectors> vectors(pinned.cloth.model.particle_count);
         const auto error_after = [&](int iterations) {
             AlignedBuffer<Vec4> found(pinned.cloth.model.particle_count);
             conjugate_gradients(

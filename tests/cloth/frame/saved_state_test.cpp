@@ -198,9 +198,9 @@ TEST_P(SavedState, NoHistoryOfSettingsShows) {
     const std::vector<ClothSettings> ways = detours(GetParam().settings);
     for (std::size_t k = 0; k < ways.size(); ++k) {
         SavedScene scene(GetParam());
-        scene.cloth->apply(ways[k]);
+        scene.simulation.apply(*scene.cloth, ways[k]);
         scene.run(2);
-        scene.cloth->apply(GetParam().settings);
+        scene.simulation.apply(*scene.cloth, GetParam().settings);
         scene.simulation.state = world;
         scene.restore(cloth);
         scene.run(5);

@@ -8,11 +8,11 @@
 #include <array>
 #include <atomic>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <thread>
 #include <utility>
 
-#include "cloth/frame/substep.h"
 #include "engine/platform.h"
 #include "tests/cloth/fixtures.h"
 
@@ -209,20 +209,20 @@ TEST(ManyCloths, MoveAsEachDoesAlone) {
     }
 }
 
-TEST(Worker, GoesOnInTheScratchOfAGroupBeforeUnlessItsOwnIsLarger) {
-    Parallel parallel(1);
-    std::vector<ColliderMotion> motions;
-    ContactLog log;
-    Worker worker{parallel, motions, log};
-    std::array<std::byte, 4> own{};
-    const auto place_of = [&](std::size_t group, std::size_t bytes) {
-        worker.make_room(&own[group], bytes);
-        return worker.scratch - own.data();
-    };
-    EXPECT_EQ(place_of(0, 100), 0);
-    EXPECT_EQ(place_of(1, 100), 0);
-    EXPECT_EQ(place_of(2, 101), 2);
-    EXPECT_EQ(place_of(3, 50), 2);
+// So what a thread takes lies in the memory of the group that it began with.
+TEST(Schedule, GroupsOfOneThreadComeInTheOrderOfTheirScratch) {
+    const std::vector<std::uint32_t> sides = many_small_and({128, 40, 30, 3});
+    Planned cloths(sides);
+    for (const int threads : {1, 2, 16, 64}) {
+        std::size_t end = 0, before = std::numeric_limits<std::size_t>::max();
+        for (const Schedule::Group& group : cloths.on(threads).side_by_side()) {
+            EXPECT_EQ(group.scratch, end);
+            EXPECT_LE(group.scratch_bytes, before);
+            EXPECT_GT(group.scratch_bytes, 0u);
+            before = group.scratch_bytes;
+            end += before;
+        }
+    }
 }
 
 }  // namespace

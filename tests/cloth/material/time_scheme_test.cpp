@@ -281,6 +281,7 @@ TEST(SymplecticEuler, TakesSpringsForcesWhereParticlesAre) {
     constexpr float h = 1e-3f;
     Parallel serial(1);
     Profiler profiler(stage_names);
+    cloth.solver->lay_out_alone();
     cloth.solver->solve({.parallel = serial,
                          .profiler = profiler,
                          .model = cloth.model,

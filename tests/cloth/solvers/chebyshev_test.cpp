@@ -35,7 +35,7 @@ struct ChebyshevProblem {
 
     void solve(int iterations, Spectrum interval) {
         Parallel serial(1);
-        solve_chebyshev(serial, *system, iterations, interval, scratch, dv.span());
+        solve_chebyshev(serial, *system, iterations, interval, scratch.span(), dv.span());
     }
     [[nodiscard]] Eigen::VectorXd error() const { return flat(dv.span()) - exact; }
     [[nodiscard]] double energy(const Eigen::VectorXd& e) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/cloth/system/pair_scene.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -85,7 +86,7 @@ struct Reference {
 struct Gathered {
     Linearised linearised;
     Interpolation p;
-    CoarsePairs pairs;
+    LaidOut<CoarsePairs> pairs;
 
     Gathered(const PairScene& scene, std::uint32_t first, std::uint32_t count, float spread, int threads = 1)
         : linearised(scene, threads), p(interpolation(scene, first, count, spread)) {

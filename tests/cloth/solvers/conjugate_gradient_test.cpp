@@ -13,6 +13,7 @@
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "tests/cloth/system/dense_algebra.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -49,7 +50,7 @@ struct GradientProblem {
     DenseSystem reference;
     Eigen::VectorXd exact;
     AlignedBuffer<Vec4> dv;
-    CgVectors vectors;
+    LaidOut<CgVectors> vectors;
 };
 
 TEST(ConjugateGradient, IsExactAfterAsManyStepsAsUnknowns) {
@@ -84,8 +85,8 @@ TEST(ConjugateGradient, IsTheBestOfItsKrylovSpace) {
     for (const int k : {2, 4, 8, 16}) {
         problem.solve(k);
         const double best = problem.error();
-        solve_chebyshev(problem.serial, *problem.system, k - 1, chebyshev_interval(k - 1, 1e-3), scratch,
-                        problem.dv.span());
+        solve_chebyshev(problem.serial, *problem.system, k - 1, chebyshev_interval(k - 1, 1e-3),
+                        scratch.span(), problem.dv.span());
         EXPECT_LT(best, problem.error()) << k;
     }
 }

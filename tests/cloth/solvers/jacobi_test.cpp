@@ -23,7 +23,7 @@ struct JacobiProblem {
 
     void solve(int iterations) {
         Parallel serial(1);
-        solve_jacobi(serial, *system, iterations, scratch, dv.span());
+        solve_jacobi(serial, *system, iterations, scratch.span(), dv.span());
     }
     [[nodiscard]] Eigen::VectorXd solution() const { return flat(dv.span()); }
 

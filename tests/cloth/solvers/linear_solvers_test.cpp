@@ -54,6 +54,7 @@ Solved solve(Cloth& cloth, const Method& method, int threads = 1) {
     cloth.apply(settings);
     Parallel parallel(threads);
     Profiler profiler(stage_names);
+    cloth.solver->lay_out_alone();
     const SolveResult result = cloth.solver->solve({.parallel = parallel,
                                                     .profiler = profiler,
                                                     .model = cloth.model,

@@ -12,6 +12,7 @@
 #include "cloth/system/sparse/vectors.h"
 #include "tests/cloth/air/waving.h"
 #include "tests/cloth/system/dense_algebra.h"
+#include "tests/laid_out.h"
 
 namespace weft::test {
 namespace {
@@ -235,7 +236,7 @@ TEST_P(OnMeshes, CycleIsSymmetricPositiveDefiniteAndLeavesPinsAlone) {
 /// Iterations of preconditioned conjugate gradients until the residual is a hundredth.
 int iterations_needed(const Cloth& cloth) {
     Levels levels(cloth);
-    CgVectors vectors(cloth.model.particle_count);
+    LaidOut<CgVectors> vectors(cloth.model.particle_count);
     for (int k = 1; k < 100; ++k) {
         AlignedBuffer<Vec4> dv(cloth.model.particle_count);
         const CgResult left = conjugate_gradients(

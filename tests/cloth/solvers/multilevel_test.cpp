@@ -19,6 +19,7 @@ Eigen::VectorXd stepped(Cloth& cloth, const Multilevel& method, int threads = 1)
     Parallel parallel(threads);
     Profiler profiler(stage_names);
     MultilevelSolver solver(cloth.model, cloth.settings, cloth.state.positions.span());
+    solver.lay_out_alone();
     const StepEquation equation = equation_of(cloth, h);
     solver.solve({.parallel = parallel,
                   .profiler = profiler,
@@ -170,6 +171,7 @@ TEST(MultilevelSolver, TheSameSettingsGiveTheSameStepAfterAnyHistory) {
         for (const ClothSettings& settings : history) {
             cloth.apply(settings);
             const StepEquation equation = equation_of(cloth, h);
+            cloth.solver->lay_out_alone();
             cloth.solver->solve({.parallel = serial,
                                  .profiler = profiler,
                                  .model = cloth.model,

@@ -57,6 +57,7 @@ float residual_of_a_step(const Method& method, bool elements = false, bool bends
     cloth.pin(7);
     Parallel serial(1);
     Profiler profiler(stage_names);
+    cloth.solver->lay_out_alone();
     return cloth.solver
         ->solve({.parallel = serial,
                  .profiler = profiler,
@@ -85,6 +86,8 @@ TEST(Residual, IsOneWhereFabricHasDoneNothing) {
             predict_velocities(serial, equation, free.span());
             const auto system = make_system(cloth.model, cloth.settings);
             StepResidual residual(cloth.model, cloth.settings);
+            OwnScratch memory;
+            memory.lay_out(residual);
             EXPECT_NEAR(residual(serial, equation, free.span(), system.get()), 1, 1e-3f);
         }
     }

@@ -21,7 +21,8 @@ struct WindowResults {
     Products products;
 };
 
-std::vector<Vec4> values(const AlignedBuffer<Vec4>& rows) {
+template <class Rows>
+std::vector<Vec4> values(const Rows& rows) {
     return {rows.data(), rows.data() + (rows.size() + 15) / 16 * 16};
 }
 
@@ -82,7 +83,7 @@ TEST(GridWindows, AreForGridsAlone) {
     const Diagonals some(grid.spring_offsets.span(), grid.neighbours.span());
     const Diagonals none(mesh.spring_offsets.span(), mesh.neighbours.span());
     EXPECT_GT(GridWindows(some, 7).count(), 0u);
-    EXPECT_EQ(GridWindows(none, 7).bytes(), 0u);
+    EXPECT_EQ(GridWindows(none, 7).floats(), 0u);
 }
 
 TEST(GridWindows, AreEnoughForThreadsOrNone) {
@@ -101,7 +102,7 @@ TEST(GridWindows, TakeNoMoreThanFiftyBytesARowOfALargeGrid) {
         const ClothModel grid = must(cook(sheet(side, side)));
         const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
         EXPECT_EQ(diagonals.count, 6u);
-        EXPECT_LT(GridWindows(diagonals, 7).bytes(), std::size_t{50} * grid.particle_count);
+        EXPECT_LT(sizeof(float) * GridWindows(diagonals, 7).floats(), std::size_t{50} * grid.particle_count);
     }
 }
 

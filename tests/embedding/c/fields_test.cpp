@@ -60,8 +60,8 @@ constexpr int lines_of() {
                             m19, m20, m21] = m;
     static_assert(lines_of<StepReport>() == 21);
     [[maybe_unused]] auto& [n1, n2, n3, n4, n5, n6, n7, n8, n9, n10, n11, n12, n13, n14, n15, n16, n17, n18,
-                            n19, n20] = n;
-    static_assert(lines_of<ClothInfo>() == 20);
+                            n19, n20, n21] = n;
+    static_assert(lines_of<ClothInfo>() == 21);
     [[maybe_unused]] auto& [o1, o2, o3, o4] = o;
     static_assert(lines_of<ShapeInfo>() == 4);
 }

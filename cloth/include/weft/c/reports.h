@@ -41,6 +41,7 @@ typedef struct WeftClothInfo {
     float mean_edge, mass, least_bending;
     uint64_t bytes, shared_bytes;
     uint32_t flipped_triangles, softened_triangles;
+    uint64_t scratch_bytes;
 } WeftClothInfo;
 
 // weft/cooked_cloth.h: CookReport. Valid as long as the cooked cloth is there.
