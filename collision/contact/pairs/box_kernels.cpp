@@ -248,16 +248,19 @@ Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes&
                    [&](std::uint32_t k, const ContactPatch& patch, const SearchedBody& body,
                        const Moving& moving) HWY_ATTR {
                        const ContactMesh& mesh = *body.mesh;
+                       const bool has_charts = !mesh.flat_rest().is_empty();
                        PatchStrain& strain = boxes.strains[block * PatchBlock::most + k];
                        boxes.wanted[block * PatchBlock::most + k] = 0;
                        if (!knows_boxes) {
                            const Placed all = place_corners(moving, mesh, patch.corners);
                            set_box(boxes.patches[block], k, hull_of_lanes(all.box));
-                           const Bounds m = hull_of_lanes(all.motion);
-                           strain.least_motion = {m.lower.x, m.lower.y, m.lower.z};
-                           strain.most_motion = {m.upper.x, m.upper.y, m.upper.z};
+                           if (has_charts) {
+                               const Bounds m = hull_of_lanes(all.motion);
+                               strain.least_motion = {m.lower.x, m.lower.y, m.lower.z};
+                               strain.most_motion = {m.upper.x, m.upper.y, m.upper.z};
+                           }
                        }
-                       if (!mesh.flat_rest().is_empty())
+                       if (has_charts)
                            strain.sum = place_gradients(moving, mesh, patch.triangles, knows_boxes,
                                                         &boxes.gradients[body.first_gradients]);
                    });

@@ -82,28 +82,21 @@ CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRa
                                   CommonMotionKind most) {
     const Vec4 near = point_near(group, positions);
     const auto sum_block = [&](const BlockRange& block) {
-        // By coordinates of u and of v: their products with u, and themselves.
-        Eigen::Vector4d of_u[3], of_v[3];
-        for (int i = 0; i < 3; ++i) of_u[i] = of_v[i] = Eigen::Vector4d::Zero();
         Moments sum;
         for (std::uint32_t p = block.begin; p < block.end; ++p) {
             const Vec4 &x = positions[p], &d = displacements[p];
-            const Eigen::Vector4d u(double{x.x} - double{near.x}, double{x.y} - double{near.y},
-                                    double{x.z} - double{near.z}, 1);
+            if (!is_finite(x) || !is_finite(d)) continue;
+            const double u[3] = {double{x.x} - double{near.x}, double{x.y} - double{near.y},
+                                 double{x.z} - double{near.z}};
             const double v[3] = {double{d.x}, double{d.y}, double{d.z}};
-            if (!std::isfinite(u.sum() + v[0] + v[1] + v[2])) continue;
             sum.count += 1;
             for (int i = 0; i < 3; ++i) {
-                of_u[i] += u[i] * u;
-                of_v[i] += v[i] * u;
-            }
-        }
-        for (int i = 0; i < 3; ++i) {
-            sum.u[i] = of_u[i][3];
-            sum.v[i] = of_v[i][3];
-            for (int j = 0; j < 3; ++j) {
-                sum.uu[i][j] = of_u[i][j];
-                sum.vu[i][j] = of_v[i][j];
+                sum.u[i] += u[i];
+                sum.v[i] += v[i];
+                for (int j = 0; j < 3; ++j) {
+                    sum.uu[i][j] += u[i] * u[j];
+                    sum.vu[i][j] += v[i] * u[j];
+                }
             }
         }
         return sum;
