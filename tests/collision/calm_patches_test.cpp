@@ -27,6 +27,7 @@ std::size_t wanted_patches(const ContactScene& scene) {
                                                .first_triangle_group = 0,
                                                .first_edge_group = 0,
                                                .first_block = 0,
+                                               .first_gradients = 0,
                                                .first_neighbours = 0}};
     const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
     std::vector<PatchBlock> blocks;
@@ -37,7 +38,9 @@ std::size_t wanted_patches(const ContactScene& scene) {
         for (std::size_t k = 0; k < 16 * all->size(); ++k)
             set_box((*all)[k / 16], static_cast<std::uint32_t>(k % 16), no_box);
     AlignedBuffer<PatchStrain> strains(16 * blocks.size());
-    AlignedBuffer<std::uint8_t> calm(mesh.flat_rest().pairs()), wanted(16 * blocks.size());
+    AlignedBuffer<TriangleGradients> gradients(mesh.triangle_slots().groups());
+    AlignedBuffer<Neighbours> neighbours(mesh.flat_rest().pairs());
+    AlignedBuffer<std::uint8_t> wanted(16 * blocks.size());
     FeatureBoxes boxes{.vertices = {},
                        .triangles = {},
                        .edges = {},
@@ -45,12 +48,14 @@ std::size_t wanted_patches(const ContactScene& scene) {
                        .blocks = {of_blocks.data(), 1},
                        .groups = {of_groups.data(), 1},
                        .strains = {strains.data(), strains.size()},
-                       .calm = {calm.data(), calm.size()},
+                       .gradients = {gradients.data(), gradients.size()},
+                       .neighbours = {neighbours.data(), neighbours.size()},
                        .wanted = {wanted.data(), wanted.size()}};
     const PairSearch search{bodies, blocks, &boxes, scene.positions.data(), scene.motions.data()};
     for (std::uint32_t b = 0; b < blocks.size(); ++b)
         set_box(boxes.blocks[0], b, place_patches(search, b, boxes));
     set_box(boxes.groups[0], 0, {{-1e30f, -1e30f, -1e30f}, {1e30f, 1e30f, 1e30f}});
+    for (std::uint32_t b = 0; b < blocks.size(); ++b) find_neighbours(search, b, boxes);
     for (std::uint32_t b = 0; b < blocks.size(); ++b) want_features(search, b, boxes);
     return static_cast<std::size_t>(std::ranges::count(boxes.wanted.span(), std::uint8_t{1}));
 }
@@ -226,6 +231,135 @@ TEST(CalmPatches, SheetsOfOneMeshAreCalmEachForItself) {
     for (std::size_t i = 256; i < rest.size(); ++i) scene.positions[i].x -= 1 - 0.3f * edge;
     EXPECT_GT(wanted_patches(scene), 0u);
     expect_same_pairs(scene, 100);
+}
+
+/// A sheet that waves, and goes on waving: smooth motions, longer than edges, and a jitter.
+ContactScene fluttering(float strength, std::uint32_t seed) {
+    constexpr std::uint32_t side = 11;
+    const std::vector<Vec4> rest = flat(side, side);
+    const std::vector<Vec4> now = smoothly(rest, strength, seed),
+                            then = smoothly(now, 0.5f * strength, seed + 50);
+    ContactScene scene = sheet(side, 0.3f * edge, now);
+    scene.jitter(0.05f * edge);
+    std::vector<Vec4> motions = random_vectors(now.size(), 0.05f * edge, seed);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        motions[i].x += then[i].x - now[i].x;
+        motions[i].y += then[i].y - now[i].y;
+        motions[i].z += then[i].z - now[i].z;
+    }
+    scene.add_motions(motions);
+    return scene;
+}
+
+std::set<Corners> keys_of(const PairList& list) {
+    std::set<Corners> keys;
+    for (std::uint32_t k = 0; k < list.size; ++k)
+        keys.insert(key_of(list.pairs[k].corners, k < list.vertex_triangle));
+    return keys;
+}
+
+/// Looks for pairs that come within reach while all particles go the same part of these motions, and that are
+/// not listed. Returns how many pairs come within reach.
+std::size_t expect_listed(const ContactScene& scene, const std::vector<Vec4>& motions, const PairList& list) {
+    const std::set<Corners> listed = keys_of(list);
+    constexpr int parts = 12;
+    std::vector<std::vector<Vec4>> places;
+    for (int k = 0; k <= parts; ++k) {
+        places.push_back(scene.positions);
+        const float part = static_cast<float>(k) / parts;
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            places.back()[i].x += part * motions[i].x;
+            places.back()[i].y += part * motions[i].y;
+            places.back()[i].z += part * motions[i].z;
+        }
+    }
+    const std::vector<Vec4> none(motions.size());
+    std::size_t near = 0, missed = 0;
+    for_each_pair(scene, [&](const Corners& c, std::size_t of_a, double reach) {
+        const bool comes_near = std::ranges::any_of(places, [&](const std::vector<Vec4>& at) {
+            return reference_pair(c, of_a, at, none).distance < reach * (1 - margin);
+        });
+        near += comes_near;
+        missed += comes_near && !listed.contains(key_of(c, of_a == 1));
+    });
+    EXPECT_EQ(missed, 0u);
+    return near;
+}
+
+/// What is left of motions where some particles, one in `few`, are cut.
+std::vector<Vec4> cut_at_random(std::vector<Vec4> motions, std::uint32_t few, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> uniform(0, 1);
+    for (Vec4& m : motions) {
+        const float part = random() % few == 0 ? uniform(random) : 1;
+        m = {part * m.x, part * m.y, part * m.z, 0};
+    }
+    return motions;
+}
+
+TEST(CalmPatches, WhatAllGoesAlikeIsListedWhereItComesNear) {
+    std::size_t near = 0, passed_over = 0;
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
+        const ContactScene scene = fluttering(0.25f + 0.25f * static_cast<float>(seed % 3), seed);
+        LaidOut<PairFinder> finder;
+        finder.reserve(scene.bodies);
+        Parallel parallel(1);
+        LaidOut<PairList> list(1 << 18);
+        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
+                    Parts::alike);
+        near += expect_listed(scene, scene.motions, list);
+        const LaidOut<PairList> all = pairs_of(scene);
+        EXPECT_TRUE(std::ranges::includes(keys_of(all), keys_of(list)));
+        passed_over += all.size - list.size;
+    }
+    EXPECT_GT(near, 100u);
+    EXPECT_GT(passed_over, 1000u);
+}
+
+TEST(CalmPatches, OtherMotionsOpenWhatWasPassedOver) {
+    std::size_t near = 0;
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
+        ContactScene scene = fluttering(0.25f, seed);
+        const std::vector<Vec4> others = fluttering(0.75f, seed + 1).motions;
+        LaidOut<PairFinder> finder;
+        finder.reserve(scene.bodies);
+        Parallel parallel(1);
+        LaidOut<PairList> list(1 << 18);
+        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
+                    Parts::alike);
+        const std::vector<std::uint8_t> marks(scene.positions.size(), 1);
+        finder.find_more(parallel, scene.bodies, scene.positions, others, marks, list);
+        near += expect_listed(scene, others, list);
+    }
+    EXPECT_GT(near, 100u);
+}
+
+TEST(CalmPatches, WhatIsCutIsListedWhereItComesNear) {
+    std::size_t near = 0, opened = 0;
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
+        const ContactScene scene = fluttering(0.25f + 0.25f * static_cast<float>(seed % 3), seed);
+        LaidOut<PairFinder> finder;
+        finder.reserve(scene.bodies);
+        Parallel parallel(1);
+        LaidOut<PairList> list(1 << 18);
+        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
+                    Parts::alike);
+        const auto look_again = [&](const std::vector<Vec4>& cut) {
+            return finder.find_opened(parallel, scene.bodies, scene.positions, scene.motions, cut, list);
+        };
+        EXPECT_FALSE(look_again(scene.motions)) << "nothing is cut";
+        const std::vector<Vec4> cut = cut_at_random(scene.motions, seed < 6 ? 4 : 40, seed);
+        opened += look_again(cut);
+        near += expect_listed(scene, cut, list);
+        EXPECT_FALSE(look_again(cut)) << "what is opened is listed";
+        const std::vector<Vec4> cut_more = cut_at_random(cut, 4, seed + 1);
+        look_again(cut_more);
+        near += expect_listed(scene, cut_more, list);
+        const LaidOut<PairList> all = pairs_of(scene);
+        EXPECT_TRUE(std::ranges::includes(keys_of(all), keys_of(list)));
+    }
+    EXPECT_GT(near, 100u);
+    EXPECT_GT(opened, 3u);
 }
 
 }  // namespace

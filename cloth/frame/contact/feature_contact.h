@@ -154,6 +154,7 @@ class FeatureContact {
     void turn_normals(Parallel& parallel, std::span<const Vec4> motions);
     void find_for_cut(Parallel& parallel);
     void find_more(Parallel& parallel);
+    [[nodiscard]] bool find_opened(Parallel& parallel);
     /// Shortens the motion until there is room for its pairs, and finds these.
     void find_for_part_of_way(Parallel& parallel);
     [[nodiscard]] SettleResult cut_listed(Parallel& parallel, bool is_pushed);

@@ -19,7 +19,8 @@ void FeatureContact::set_reach(float ContactCloth::*of_cloth) {
 void FeatureContact::find(Parallel& parallel, std::span<const Vec4> motions, const Reach& reach,
                           FullList full) {
     set_reach(reach.of_cloth);
-    finder_.find(parallel, bodies_.span(), start_.span(), motions, pairs_, reach.of_borders, full);
+    finder_.find(parallel, bodies_.span(), start_.span(), motions, pairs_, reach.of_borders, full,
+                 uses_zones_ ? Parts::any : Parts::alike);
 }
 
 /// Turns the normals of the pairs found last as shape_moving_pairs() does, for these motions.
@@ -122,7 +123,7 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
         const Change change = change_of_motion(parallel, reach);
         if (std::isfinite(change.longest) && few * change.strayed <= start_.size()) {
             narrowing_.narrow(parallel, start_.span(), settler_.relative(), reach, change.longest, pairs_);
-            if (change.strayed > 0) find_more(parallel);
+            if (change.strayed > 0 || finder_.has_charts()) find_more(parallel);
             return;
         }
     }
@@ -184,6 +185,7 @@ FeatureCounts FeatureContact::go_on(Parallel& parallel, bool is_pushed) {
             const Vector3 start = xyz(start_[i]), here = start + xyz(displacements_[i]);
             const Vector3 left = start + xyz(searched_[i]) - here;
             set_xyz(displacements_[i], left);
+            set_xyz(searched_[i], left);
             set_xyz(start_[i], here);
             marks_[i] = left.isZero(0) ? 0 : 1;
         }
@@ -203,8 +205,30 @@ SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
     BodyGroup all = group();
     all.is_pinned = is_pinned_;
     all.is_free = !is_pinned_ && !is_pushed;
-    return settler_.settle(parallel, all, pairs_, find_exempt(parallel), {.floor = least_floor},
-                           displacements_.span());
+    for (;;) {
+        const SettleResult result = settler_.settle(parallel, all, pairs_, find_exempt(parallel),
+                                                    {.floor = least_floor}, displacements_.span());
+        if (result.draws_pins || result.list_was_incomplete || result.truncated == 0 ||
+            !find_opened(parallel))
+            return result;
+        for (const ParticleRange& range : ranges_.span())
+            std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
+    }
+}
+
+/// Adds the pairs of neighbours that were passed over, since they stay apart if all particles go the same
+/// part of their motions, and may not stay apart once some particles are cut. Returns whether there are such.
+bool FeatureContact::find_opened(Parallel& parallel) {
+    if (!finder_.has_charts()) return false;
+    for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {  // the bases are of no more use
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(base_[i], settler_.fractions()[i] * xyz(settler_.relative()[i]));
+    });
+    if (!finder_.find_opened(parallel, bodies_.span(), start_.span(), settler_.relative(), base_.span(),
+                             pairs_))
+        return false;
+    turn_normals(parallel, settler_.relative());
+    return true;
 }
 
 FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& result) {

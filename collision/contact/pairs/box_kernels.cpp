@@ -106,78 +106,124 @@ HWY_INLINE Placed place_corners(const Moving& moving, const ContactMesh& mesh, c
     return all;
 }
 
-/// The gradients of a patch's triangles: of x, y and z along an axis of the chart.
-struct Gradients {
-    alignas(64) float of[6][ContactPatch::most_triangles];
+/// The sides of triangles from their first corner, or how these change.
+struct SideLanes {
+    Lanes3 a, b;
 
-    [[nodiscard]] HWY_INLINE Lanes3 along(std::uint32_t axis, std::uint32_t k) const {
-        const auto& rows = &of[3 * axis];
-        return {load_lanes(rows[0] + k), load_lanes(rows[1] + k), load_lanes(rows[2] + k)};
+    HWY_INLINE SideLanes(const Vec4* rows, const FeatureSlots<3>& slots, std::uint32_t slot) {
+        const Lanes3 first = gather_rows(rows, &slots.corners[0][slot]);
+        a = gather_rows(rows, &slots.corners[1][slot]) - first;
+        b = gather_rows(rows, &slots.corners[2][slot]) - first;
     }
 };
 
-/// Returns their sum.
-HWY_INLINE ChartFrame find_gradients(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span,
-                                     Gradients& gradients) {
+/// Sums of six values over slots, in the same order whatever a register's lanes are.
+class SumOfSlots {
+  public:
+    HWY_INLINE SumOfSlots() {
+        for (auto& of_value : lanes_)
+            for (Lanes& sum : of_value) sum = set(0);
+    }
+    HWY_INLINE void add(std::size_t i, std::uint32_t slot, Lanes value) {
+        Lanes& sum = lanes_[i][slot % 16 / part_lanes];
+        sum = hn::Add(sum, value);
+    }
+    [[nodiscard]] HWY_INLINE ChartFrame total() const {
+        ChartFrame sums{};
+        for (std::size_t i = 0; i < 6; ++i) {
+            alignas(64) float of_slots[16];
+            for (std::uint32_t k = 0; k < 16; k += part_lanes)
+                hn::Store(lanes_[i][k / part_lanes], Tag(), of_slots + k);
+            for (const float value : of_slots) sums[i] += value;
+        }
+        return sums;
+    }
+
+  private:
+    Lanes lanes_[6][16 / part_lanes];
+};
+
+/// Fills the gradients of a patch's triangles, or those at the end where these at the start are known.
+/// Returns the sum of both.
+HWY_INLINE ChartFrame place_gradients(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span,
+                                      bool knows_start, TriangleGradients* groups) {
     const Tag d;
-    Lanes sums[6];
-    for (Lanes& sum : sums) sum = set(0);
-    const auto& corners = mesh.triangle_slots().corners;
+    constexpr float most2 = 400;  // beyond it, rounding counts
+    SumOfSlots sums;
     for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
         const std::uint32_t slot = span.first + k;
-        const Lanes3 x = gather_rows(moving.positions, &corners[0][slot]);
-        const Lanes3 a = gather_rows(moving.positions, &corners[1][slot]) - x;
-        const Lanes3 b = gather_rows(moving.positions, &corners[2][slot]) - x;
-        const auto inverse = [&](std::size_t i)
-                                 HWY_ATTR { return load_lanes(&mesh.flat_rest().inverse(i)[slot]); };
-        const Lanes3 u = mul_add(inverse(0), a, inverse(2) * b), v = mul_add(inverse(1), a, inverse(3) * b);
-        const Lanes values[6] = {u.x, u.y, u.z, v.x, v.y, v.z};
+        TriangleGradients& group = groups[slot / 16];
         const auto used = hn::FirstN(d, span.count - k);
-        for (std::size_t i = 0; i < 6; ++i) {
-            hn::Store(values[i], d, gradients.of[i] + k);
-            sums[i] = hn::Add(sums[i], hn::IfThenElseZero(used, values[i]));
+        const auto add = [&](std::size_t i, Lanes value)
+                             HWY_ATTR { sums.add(i, slot, hn::IfThenElseZero(used, value)); };
+        const auto store = [&](const Lanes3& a, const Lanes3& b, float(&to)[6][16]) HWY_ATTR {
+            const auto of = [&](std::size_t i)
+                                HWY_ATTR { return load_lanes(&mesh.flat_rest().inverse(i)[slot]); };
+            const Lanes3 u = mul_add(of(0), a, of(2) * b), v = mul_add(of(1), a, of(3) * b);
+            const auto known = hn::Lt(hn::Add(dot(u, u), dot(v, v)), set(most2));
+            const Lanes values[6] = {u.x, u.y, u.z, v.x, v.y, v.z};
+            for (std::size_t i = 0; i < 6; ++i) {
+                const Lanes value =
+                    hn::IfThenElse(known, values[i], set(std::numeric_limits<float>::quiet_NaN()));
+                hn::Store(value, d, to[i] + slot % 16);
+                add(i, value);
+            }
+        };
+        const SideLanes sides(moving.positions, mesh.triangle_slots(), slot);
+        if (knows_start) {
+            for (std::size_t i = 0; i < 6; ++i) add(i, load_lanes(group.start[i] + slot % 16));
+        } else {
+            store(sides.a, sides.b, group.start);
         }
+        if (moving.motions == nullptr) continue;
+        const SideLanes changes(moving.motions, mesh.triangle_slots(), slot);
+        store(sides.a + changes.a, sides.b + changes.b, group.end);
     }
-    ChartFrame sum;
-    for (std::size_t i = 0; i < 6; ++i) sum[i] = hn::GetLane(hn::SumOfLanes(d, sums[i]));
-    return sum;
+    return sums.total();
 }
 
-/// What the header of FlatRest knows of a patch.
-HWY_INLINE PatchStrain strain_of(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span,
-                                 const BoxLanes& motion) {
+/// Whether R w . F w is greater than half of `twice_least` for every unit vector w, of all these triangles.
+/// (ru, rv) is R.
+HWY_INLINE bool keep_apart(const float (&gradients)[6][16], std::uint32_t triangles, const Lanes3& ru,
+                           const Lanes3& rv, Lanes twice_least) {
     const Tag d;
-    Gradients gradients;
-    const ChartFrame frame = nearest_frame(find_gradients(moving, mesh, span, gradients));
-    const Bounds m = hull_of_lanes(motion);
-    PatchStrain strain{
-        frame, -1, infinity, {m.lower.x, m.lower.y, m.lower.z}, {m.upper.x, m.upper.y, m.upper.z}};
-    if (!(frame[0] < infinity)) return strain;
-
-    const Lanes3 qu = set_point({frame[0], frame[1], frame[2]}),
-                 qv = set_point({frame[3], frame[4], frame[5]});
-    const Lanes3 normal = cross(qu, qv);
-    Lanes least = set(infinity), most = set(0);
-    bool is_known = true;
-    for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
-        const Lanes3 u = gradients.along(0, k), v = gradients.along(1, k);
-        const Lanes half = set(0.5f), uu = dot(qu, u), uv = dot(qu, v), vu = dot(qv, u), vv = dot(qv, v);
-        const Lanes stretch = hn::Mul(half, hn::Sub(uu, vv)), shear = hn::Mul(half, hn::Add(uv, vu));
-        const Lanes differs = hn::Sqrt(hn::MulAdd(stretch, stretch, hn::Mul(shear, shear)));
-        const Lanes along = hn::Sub(hn::Mul(half, hn::Add(uu, vv)), differs);
-        const Lanes aside = hn::Add(differs, hn::Abs(hn::Mul(half, hn::Sub(vu, uv))));
-        const Lanes out_u = dot(normal, u), out_v = dot(normal, v);
-        const Lanes across2 = hn::MulAdd(aside, aside, hn::MulAdd(out_u, out_u, hn::Mul(out_v, out_v)));
-        const auto used = hn::FirstN(d, span.count - k);
-        const Lanes size = hn::Add(dot(u, u), dot(v, v));
-        is_known &= hn::AllTrue(d, hn::Or(hn::Not(used), hn::Lt(size, set(400))));
-        least = hn::IfThenElse(used, hn::Min(least, along), least);
-        most = hn::IfThenElse(used, hn::Max(most, across2), most);
+    for (std::uint32_t k = 0; k < 16; k += part_lanes) {
+        const std::uint32_t part = triangles >> k & ((1u << part_lanes) - 1);
+        if (part == 0) continue;
+        const std::uint8_t bits[8] = {static_cast<std::uint8_t>(part), static_cast<std::uint8_t>(part >> 8)};
+        const auto load = [&](std::size_t i) HWY_ATTR { return load_lanes(gradients[i] + k); };
+        const Lanes3 u{load(0), load(1), load(2)}, v{load(3), load(4), load(5)};
+        const Lanes uu = dot(ru, u), vv = dot(rv, v), shear = hn::Add(dot(ru, v), dot(rv, u));
+        const Lanes stretch = hn::Sub(uu, vv), more = hn::Sub(hn::Add(uu, vv), twice_least);
+        const Lanes differs2 = hn::MulAdd(stretch, stretch, hn::Mul(shear, shear));
+        const auto apart = hn::And(hn::Gt(more, set(0)), hn::Gt(hn::Mul(more, more), differs2));
+        if (!hn::AllFalse(d, hn::AndNot(apart, hn::LoadMaskBits(d, bits)))) return false;
     }
-    if (!is_known) return strain;
-    strain.along = hn::GetLane(hn::MinOfLanes(d, least));
-    strain.across = std::sqrt(hn::GetLane(hn::MaxOfLanes(d, most)));
-    return strain;
+    return true;
+}
+
+/// Whether no features of two neighbours that share no vertex come within reach.
+HWY_INLINE bool are_calm(const PairSearch& search, const SearchedBody& body, const PatchNeighbours& pair,
+                         const PatchStrain& a, const PatchStrain& b, const TriangleGradients* gradients) {
+    // Margins: for rounding, for a border that is not quite convex, for triangles that cover by next to
+    // nothing.
+    const float reach = body.reach + (search.together ? 0 : a.spread_with(b));
+    const float enough = 1.001f * reach / (0.97f * pair.height);
+    if (!(enough < 1)) return false;
+    ChartFrame sum = a.sum;
+    for (std::size_t i = 0; i < 6; ++i) sum[i] += b.sum[i];
+    const ChartFrame frame = nearest_frame(sum);
+    if (!(frame[0] < infinity)) return false;
+    const Lanes3 ru = set_point({frame[0], frame[1], frame[2]}),
+                 rv = set_point({frame[3], frame[4], frame[5]});
+    const bool moves = search.together && search.motions != nullptr;
+    for (const TriangleGroup& group : body.mesh->flat_rest().cover(pair)) {
+        const TriangleGradients& of = gradients[group.number];
+        if (!keep_apart(of.start, group.triangles, ru, rv, set(2 * enough)) ||
+            (moves && !keep_apart(of.end, group.triangles, ru, rv, set(2 * enough))))
+            return false;
+    }
+    return true;
 }
 
 HWY_INLINE Moving moving_of(const PairSearch& search, const SearchedBody& body) {
@@ -196,16 +242,27 @@ HWY_INLINE void for_each_patch(const PairSearch& search, std::uint32_t block, co
 }
 
 Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    // Opened neighbours are looked for with the boxes of the search before, whose motions were longer.
+    const bool knows_boxes = search.looks == Looks::at_opened_ones;
     for_each_patch(search, block,
                    [&](std::uint32_t k, const ContactPatch& patch, const SearchedBody& body,
                        const Moving& moving) HWY_ATTR {
                        const ContactMesh& mesh = *body.mesh;
-                       const Placed all = place_corners(moving, mesh, patch.corners);
-                       set_box(boxes.patches[block], k, hull_of_lanes(all.box));
+                       const bool has_charts = !mesh.flat_rest().is_empty();
+                       PatchStrain& strain = boxes.strains[block * PatchBlock::most + k];
                        boxes.wanted[block * PatchBlock::most + k] = 0;
-                       if (!mesh.flat_rest().is_empty())
-                           boxes.strains[block * PatchBlock::most + k] =
-                               strain_of(moving, mesh, patch.triangles, all.motion);
+                       if (!knows_boxes) {
+                           const Placed all = place_corners(moving, mesh, patch.corners);
+                           set_box(boxes.patches[block], k, hull_of_lanes(all.box));
+                           if (has_charts) {
+                               const Bounds m = hull_of_lanes(all.motion);
+                               strain.least_motion = {m.lower.x, m.lower.y, m.lower.z};
+                               strain.most_motion = {m.upper.x, m.upper.y, m.upper.z};
+                           }
+                       }
+                       if (has_charts)
+                           strain.sum = place_gradients(moving, mesh, patch.triangles, knows_boxes,
+                                                        &boxes.gradients[body.first_gradients]);
                    });
     // Another search's block may have had more patches.
     for (std::uint32_t k = search.blocks[block].patch_count; k < PatchBlock::most; ++k)
@@ -213,18 +270,34 @@ Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes&
     return hull_of(boxes.patches[block]);
 }
 
-void find_calm(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+void find_known(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
     const PatchBlock& patches = search.blocks[block];
     const SearchedBody& body = search.bodies[patches.body];
     const FlatRest& rest = body.mesh->flat_rest();
-    for (std::uint32_t k = 0; k < patches.patch_count; ++k)
-        rest.find_calm(patches.first_patch + k, body.reach,
-                       &boxes.strains[std::size_t{body.first_block} * PatchBlock::most],
-                       boxes.calm.span().subspan(body.first_neighbours, rest.pairs()));
+    if (rest.is_empty()) return;
+    const PatchStrain* const strains = &boxes.strains[std::size_t{body.first_block} * PatchBlock::most];
+    const TriangleGradients* const gradients = &boxes.gradients[body.first_gradients];
+    for (std::uint32_t k = 0; k < patches.patch_count; ++k) {
+        const std::uint32_t p = patches.first_patch + k;
+        bool any_calm = false;
+        for (std::uint32_t n = rest.first_of(p + 1); n-- > rest.first_of(p);) {
+            const PatchNeighbours& pair = rest.neighbours()[n];
+            Neighbours& known = boxes.neighbours[body.first_neighbours + n];
+            const bool was_calm = search.looks != Looks::afresh && known == Neighbours::calm;
+            if (search.looks == Looks::at_opened_ones && !was_calm) {
+                known = Neighbours::looked_at;
+                continue;
+            }
+            // A region around the patch and another is around the patch itself, which comes first.
+            const bool is_calm = (pair.other == p && any_calm) ||
+                                 are_calm(search, body, pair, strains[p], strains[pair.other], gradients);
+            any_calm |= is_calm;
+            known = is_calm ? Neighbours::calm : was_calm ? Neighbours::opened : Neighbours::looked_at;
+        }
+    }
 }
 
 bool want(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    find_calm(search, block, boxes);
     bool any = false;
     const auto add = [&](const SearchedPatch& patch) {  // by any thread, but always the same
         std::uint8_t& wanted = boxes.wanted[patch.body.first_block * PatchBlock::most + patch.number];
@@ -260,11 +333,16 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(place_around);
+HWY_EXPORT(find_known);
 HWY_EXPORT(want);
 HWY_EXPORT(place_wanted);
 
 Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
     return HWY_DYNAMIC_DISPATCH(place_around)(search, block, boxes);
+}
+
+void find_neighbours(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    HWY_DYNAMIC_DISPATCH(find_known)(search, block, boxes);
 }
 
 bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {

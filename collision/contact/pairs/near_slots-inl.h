@@ -186,34 +186,51 @@ inline bool may_meet(const SearchedBody& a, const SearchedBody& b) {
     return &a == &b ? a.meets_itself : masks_allow(a.layer, a.mask, b.layer, b.mask);
 }
 
-/// Whether two patches lie side by side and so smoothly that no features of theirs come within reach, as
-/// want_features() has found.
-inline bool is_calm(const PairSearch& search, const SearchedPatch& a, const SearchedPatch& b) {
-    if (&a.body != &b.body) return false;
-    const std::uint32_t pair = a.body.mesh->flat_rest().find(a.number, b.number);
-    return pair != FlatRest::none && search.boxes->calm[a.body.first_neighbours + pair] != 0;
+/// Whether the search looks at two patches, by what find_neighbours() has found. `is_marked`: one of them has
+/// its bit in PairSearch::only, or all patches count as marked.
+inline bool is_to_be_looked_at(const PairSearch& search, const SearchedPatch& a, const SearchedPatch& b,
+                               bool is_marked) {
+    const std::uint32_t pair =
+        &a.body != &b.body ? FlatRest::none : a.body.mesh->flat_rest().find(a.number, b.number);
+    const Neighbours known = pair == FlatRest::none
+                                 ? Neighbours::looked_at
+                                 : search.boxes->neighbours[a.body.first_neighbours + pair];
+    return known == Neighbours::opened || (known == Neighbours::looked_at && is_marked);
+}
+
+/// The patches of block `other`, a bit for each, that make a marked pair with patch p of `block`.
+inline std::uint32_t marked_beside(const PairSearch& search, std::uint32_t block, std::uint32_t p,
+                                   std::uint32_t other) {
+    if (search.looks == Looks::afresh) return ~0u;
+    if (search.looks == Looks::at_opened_ones) return 0;
+    return (search.only[block] >> p & 1) != 0 ? ~0u : search.only[other];
 }
 
 /// visit(patch, other, is_same) for every pair of patches of a block and of those after it whose boxes
-/// overlap and whose bodies meet, a patch with itself among
-/// them, unless they are calm.
+/// overlap and whose bodies meet, a patch with itself among them, which the search looks at.
 template <class Visit>
 HWY_INLINE void for_each_near_patch(const PairSearch& search, std::uint32_t block, const Visit& visit) {
     const FeatureBoxes& boxes = *search.boxes;
     const SearchedBody& body = search.bodies[search.blocks[block].body];
     const BoxLanes block_box = box_of(boxes.blocks[block / 16], block % 16);
     const auto visit_block = [&](std::uint32_t other) HWY_ATTR {
-        if (!may_meet(body, search.bodies[search.blocks[other].body])) return;
-        if (search.only != nullptr && (search.only[block] | search.only[other]) == 0) return;
+        const SearchedBody& other_body = search.bodies[search.blocks[other].body];
+        if (!may_meet(body, other_body)) return;
+        const bool may_be_neighbours = &body == &other_body && !body.mesh->flat_rest().is_empty();
+        if (!may_be_neighbours && search.looks != Looks::afresh &&
+            (search.looks == Looks::at_opened_ones || (search.only[block] | search.only[other]) == 0))
+            return;
         for (std::uint32_t p = 0; p < search.blocks[block].patch_count; ++p) {
             const SearchedPatch patch(search, block, p);
             std::uint32_t near = overlapping(patch.box, boxes.patches[other]);
             if (other == block) near &= ~0u << p;
-            if (search.only != nullptr && (search.only[block] >> p & 1) == 0) near &= search.only[other];
+            const std::uint32_t marked = marked_beside(search, block, p, other);
+            if (!may_be_neighbours) near &= marked;
             for (; near != 0; near &= near - 1) {
                 const auto q = static_cast<std::uint32_t>(std::countr_zero(near));
                 const SearchedPatch near_patch(search, other, q);
-                if (!is_calm(search, patch, near_patch)) visit(patch, near_patch, other == block && p == q);
+                if (is_to_be_looked_at(search, patch, near_patch, (marked >> q & 1) != 0))
+                    visit(patch, near_patch, other == block && p == q);
             }
         }
     };

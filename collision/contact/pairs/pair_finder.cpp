@@ -21,6 +21,11 @@ std::span<Item> part_of(std::span<Item> list, std::size_t first, std::size_t cou
     return list.subspan(begin, std::min(count, list.size() - begin));
 }
 
+/// Groups of triangles that a search keeps the gradients of.
+std::uint32_t groups_of_gradients(const ContactMesh& mesh) {
+    return mesh.flat_rest().is_empty() ? 0 : mesh.triangle_slots().groups();
+}
+
 }  // namespace
 
 void PairFinder::Room::add(const ContactMesh& mesh) {
@@ -29,6 +34,7 @@ void PairFinder::Room::add(const ContactMesh& mesh) {
     vertices += mesh.vertex_slots().groups();
     triangles += mesh.triangle_slots().groups();
     edges += mesh.edge_slots().groups();
+    gradients += groups_of_gradients(mesh);
     neighbours += mesh.flat_rest().pairs();
     blocks += (patches + PatchBlock::most - 1) / PatchBlock::most;
 }
@@ -46,7 +52,9 @@ void PairFinder::lay_out(Scratch& scratch, const Room& room) {
     scratch.take(boxes_.blocks, groups);
     scratch.take(boxes_.groups, (groups + 15) / 16);
     scratch.take(boxes_.strains, blocks * PatchBlock::most);
-    scratch.take(boxes_.calm, room.neighbours);
+    scratch.take(boxes_.gradients, room.gradients);
+    scratch.take(boxes_.neighbours, room.neighbours);
+    scratch.take(of_crossings_, room.neighbours);
     scratch.take(boxes_.wanted, blocks * PatchBlock::most);
     scratch.take(room_, blocks * kept);
     scratch.take(block_pairs_, blocks);
@@ -57,22 +65,24 @@ void PairFinder::lay_out(Scratch& scratch, const Room& room) {
 }
 
 void PairFinder::choose(std::span<const ContactBody> bodies) {
-    std::uint32_t vertices = 0, triangles = 0, edges = 0, neighbours = 0;
+    std::uint32_t vertices = 0, triangles = 0, edges = 0, gradients = 0, neighbours = 0;
     block_count_ = 0;
     for (std::uint32_t k = 0; k < bodies.size(); ++k) {
         const ContactBody& body = bodies[k];
         const ContactMesh& mesh = *body.mesh;
         bodies_[k] = {&mesh,    body.first, body.reach, body.layer,   body.mask, body.meets_itself,
-                      vertices, triangles,  edges,      block_count_, neighbours};
+                      vertices, triangles,  edges,      block_count_, gradients, neighbours};
         vertices += mesh.vertex_slots().groups();
         triangles += mesh.triangle_slots().groups();
         edges += mesh.edge_slots().groups();
+        gradients += groups_of_gradients(mesh);
         neighbours += mesh.flat_rest().pairs();
         const auto patches = static_cast<std::uint32_t>(mesh.patches().size());
         for (std::uint32_t first = 0; first < patches; first += PatchBlock::most)
             blocks_[block_count_++] = {k, first, std::min(patches - first, PatchBlock::most)};
     }
     body_count_ = bodies.size();
+    neighbour_count_ = neighbours;
 }
 
 PairSearch PairFinder::search_of(std::span<const Vec4> positions, const Vec4* motions,
@@ -87,10 +97,12 @@ PairSearch PairFinder::search_of(std::span<const Vec4> positions, const Vec4* mo
 
 void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
                       std::span<const Vec4> positions, std::span<const Vec4> motions, PairList& found,
-                      float of_borders, FullList full) {
+                      float of_borders, FullList full, Parts parts) {
     choose(bodies);
     found.clear();
-    search(parallel, search_of(positions, motions.data(), of_borders), found, full);
+    PairSearch all = search_of(positions, motions.data(), of_borders);
+    all.together = parts == Parts::alike;
+    search(parallel, all, found, full);
 }
 
 std::uint16_t PairFinder::marked_patches(std::span<const std::uint8_t> marks, std::uint32_t block) const {
@@ -113,8 +125,28 @@ void PairFinder::find_more(Parallel& parallel, std::span<const ContactBody> bodi
     choose(bodies);
     parallel.blocks(block_count_, [&](std::uint32_t block) { only_[block] = marked_patches(marks, block); });
     PairSearch around_marks = search_of(positions, motions.data(), 1);
+    around_marks.together = true;
+    around_marks.looks = Looks::around_marks;
     around_marks.only = only_.data();
     search(parallel, around_marks, list, FullList::is_empty);
+}
+
+bool PairFinder::find_opened(Parallel& parallel, std::span<const ContactBody> bodies,
+                             std::span<const Vec4> positions, std::span<const Vec4> motions,
+                             std::span<const Vec4> cut, PairList& list) {
+    choose(bodies);
+    if (neighbour_count_ == 0) return false;
+    PairSearch opened = search_of(positions, cut.data(), 1);
+    opened.together = true;
+    opened.looks = Looks::at_opened_ones;
+    parallel.blocks(block_count_, [&](std::uint32_t block) { place_patches(opened, block, boxes_); });
+    parallel.blocks(block_count_, [&](std::uint32_t block) { find_neighbours(opened, block, boxes_); });
+    if (std::ranges::find(boxes_.neighbours.span().first(neighbour_count_), Neighbours::opened) ==
+        boxes_.neighbours.span().first(neighbour_count_).end())
+        return false;
+    opened.motions = motions.data();
+    search(parallel, opened, list, FullList::is_empty);
+    return true;
 }
 
 void PairFinder::search(Parallel& parallel, const PairSearch& search, PairList& found, FullList full) {
@@ -152,6 +184,7 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
     const auto room_of_block = [&](std::uint32_t block) {
         return crossing_room_.span().subspan(std::size_t{block} * kept_crossings, kept_crossings);
     };
+    std::swap(boxes_.neighbours, of_crossings_);
     place(parallel, search);
     parallel.blocks(block_count_, [&](std::uint32_t block) {
         Found<Crossing> crossings{room_of_block(block)};
@@ -174,6 +207,7 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
     }
     found.size = static_cast<std::uint32_t>(std::min<std::uint64_t>(count, found.capacity()));
     found.overflowed = count > found.capacity();
+    std::swap(boxes_.neighbours, of_crossings_);
 }
 
 void PairFinder::place(Parallel& parallel, const PairSearch& search) {
@@ -185,6 +219,8 @@ void PairFinder::place(Parallel& parallel, const PairSearch& search) {
     for (std::uint32_t k = block_count_; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
     for (std::uint32_t k = 0; k < 16 * boxes_.groups.size(); ++k)
         set_box(boxes_.groups[k / 16], k % 16, k < groups ? hull(boxes_.blocks[k]) : no_box);
+    if (neighbour_count_ > 0 && search.looks != Looks::at_opened_ones)
+        parallel.blocks(block_count_, [&](std::uint32_t block) { find_neighbours(search, block, boxes_); });
     parallel.blocks(block_count_, [&](std::uint32_t block) {
         is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1;
     });

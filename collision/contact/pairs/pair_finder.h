@@ -24,6 +24,12 @@ struct ContactBody {
     bool meets_itself = true;
 };
 
+/// The parts of their motions that particles may go, by which searches pass over neighbours in a chart.
+enum class Parts : std::uint8_t {
+    any,    ///< each particle its own part
+    alike,  ///< all particles the same part; find_opened() adds what else may come within reach
+};
+
 class PairFinder {
   public:
     /// For searches of bodies of these meshes, or of a part of them, whatever their reach and positions.
@@ -40,7 +46,8 @@ class PairFinder {
     /// particle goes any part of its own motion m. Of pairs whose closest points are at a border
     /// (PairShape::is_at_border) the reach is the part `of_borders`. positions[i].w is ignored. Both spans
     /// are of all bodies' particles. Pairs whose boxes over the motion are farther apart than reach are not
-    /// looked at. Features with a coordinate that is not finite, at x or at x + m, are in no pair.
+    /// looked at. Features with a coordinate that is not finite, at x or at x + m, are in no pair. Where
+    /// `parts` are alike, the list lacks pairs of patches that stay apart by the law of FlatRest.
     ///
     /// Where there are more pairs than room, the list holds what `full` says, and the search counts at most
     /// as many of each kind as there is room for.
@@ -48,13 +55,23 @@ class PairFinder {
     /// Precondition: laid out for these bodies.
     void find(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
               std::span<const Vec4> motions, PairList& found, float of_borders = 1,
-              FullList full = FullList::has_the_first);
+              FullList full = FullList::has_the_first, Parts parts = Parts::any);
 
-    /// Adds to the list what find() would list of pairs of patches of which at least one has a marked
-    /// particle (marks[i] != 0). Some of these may be in the list already, and then are so twice. A list that
-    /// would overflow is empty.
+    /// Adds to the list what find() with Parts::alike would list of pairs of patches of which at least one
+    /// has a marked particle (marks[i] != 0), and of those that the last search passed over and this one does
+    /// not. Some of these may be in the list already, and then are so twice. A list that would overflow is
+    /// empty.
     void find_more(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
                    std::span<const Vec4> motions, std::span<const std::uint8_t> marks, PairList& list);
+
+    /// Looks again at what the last search for pairs passed over, with the same positions and motions, once
+    /// each particle goes a part of its own: `cut` has what is left of the motions. Adds the pairs of
+    /// patches that may not stay apart then, as find() lists them. Returns whether there are such patches.
+    bool find_opened(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
+                     std::span<const Vec4> motions, std::span<const Vec4> cut, PairList& list);
+
+    /// Whether searches can pass over neighbours in a chart.
+    [[nodiscard]] bool has_charts() const noexcept { return boxes_.neighbours.size() > 0; }
 
     /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
     /// edge's ends are strictly on different sides of the triangle's plane, and the line through them meets
@@ -74,10 +91,11 @@ class PairFinder {
         std::uint32_t first_vertex_triangle, first_edge_edge;
     };
 
-    /// How much of each array bodies take: groups of sixteen slots of each kind, neighbours of patches,
-    /// blocks.
+    /// How much of each array bodies take: groups of sixteen slots of each kind, and of triangles in charts,
+    /// neighbours of patches, blocks.
     struct Room {
-        std::size_t bodies = 0, vertices = 0, triangles = 0, edges = 0, neighbours = 0, blocks = 0;
+        std::size_t bodies = 0, vertices = 0, triangles = 0, edges = 0, gradients = 0, neighbours = 0,
+                    blocks = 0;
         void add(const ContactMesh& mesh);
     };
     void lay_out(Scratch& scratch, const Room& room);
@@ -96,13 +114,14 @@ class PairFinder {
     /// Adds a block's pairs to the list; they are searched once more where they are many.
     void write(const PairSearch& search, std::uint32_t block, PairList& found);
 
-    std::size_t body_count_ = 0;     // that were chosen
-    std::uint32_t block_count_ = 0;  // theirs
+    std::size_t body_count_ = 0;                           // that were chosen
+    std::uint32_t block_count_ = 0, neighbour_count_ = 0;  // theirs
     ScratchArray<SearchedBody> bodies_;
     ScratchArray<PatchBlock> blocks_;
     ScratchArray<std::uint8_t> is_calm_;  // by block: nothing to look at
     FeatureBoxes boxes_;
-    ScratchArray<FeaturePair> room_;  // for the pairs of each block, until all are counted
+    ScratchArray<Neighbours> of_crossings_;  // what a search for crossings knows of neighbours
+    ScratchArray<FeaturePair> room_;         // for the pairs of each block, until all are counted
     ScratchArray<BlockPairs> block_pairs_;
     ListFill fill_;
     ScratchArray<Crossing> crossing_room_;

@@ -30,6 +30,7 @@ struct SearchedBody {
     /// Where the boxes of its vertices, triangles and edges begin.
     std::uint32_t first_vertex_group, first_triangle_group, first_edge_group;
     std::uint32_t first_block;
+    std::uint32_t first_gradients;   ///< groups of triangles, if it has charts
     std::uint32_t first_neighbours;  ///< of its FlatRest's pairs
 };
 /// By which boxes of its features are grown [m].
@@ -44,16 +45,36 @@ struct PatchBlock {
     std::uint32_t body, first_patch, patch_count;
 };
 
+/// The gradients of sixteen slots of triangles, x, y and z along each axis of the chart, at the start and at
+/// the end of the motion. What is stretched so far that rounding matters is not a number.
+struct TriangleGradients {
+    alignas(64) float start[6][16], end[6][16];
+};
+
+/// What a search knows of two patches that are neighbours.
+enum class Neighbours : std::uint8_t {
+    looked_at,  ///< their features are
+    calm,       ///< no features of theirs come within reach: they are passed over
+    opened,     ///< their features are, and the search before passed them over
+};
+
 /// Boxes over the motion, grown by half the body's reach: two that overlap are within the mean of both.
 struct FeatureBoxes {
     ScratchArray<Boxes> vertices, triangles, edges;  ///< as the meshes' slots
     /// Of patches, sixteen to each block, of blocks, and of groups of sixteen blocks.
     ScratchArray<Boxes> patches, blocks, groups;
     ScratchArray<PatchStrain> strains;  ///< of patches, sixteen to each block
-    /// Of pairs of neighbours: 1 where no features of theirs come within reach.
-    ScratchArray<std::uint8_t> calm;
+    ScratchArray<TriangleGradients> gradients;
+    ScratchArray<Neighbours> neighbours;  ///< by pair
     /// Of patches: 1 where the boxes of the features are filled, as others come near them.
     ScratchArray<std::uint8_t> wanted;
+};
+
+/// Which pairs of patches a search looks at.
+enum class Looks : std::uint8_t {
+    afresh,          ///< at all that are not calm
+    around_marks,    ///< at those of which one has its bit in `only`, and at opened ones
+    at_opened_ones,  ///< at opened ones alone
 };
 
 /// What a search reads. `motions` is null where nothing moves.
@@ -64,9 +85,10 @@ struct PairSearch {
     const Vec4* positions;
     const Vec4* motions;
     float of_borders = 1;  ///< share of the reach that pairs nearest at a border have
-    /// By block: a bit for each patch; only pairs of patches are looked at of which one has its own. Null:
-    /// all.
-    const std::uint16_t* only = nullptr;
+    /// Neighbours count as calm if they stay apart while all particles go the same part of their motions.
+    bool together = false;
+    Looks looks = Looks::afresh;
+    const std::uint16_t* only = nullptr;  ///< by block: a bit for each patch
 };
 
 /// Items found, as far as there is room. `count` goes on, until there are `enough` and the search ends.
@@ -99,8 +121,11 @@ struct FoundPairs {
 /// Features that are not finite, now or after their motion, are in no box.
 Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
-/// Finds which neighbours are calm, of a block's patches and those after them, and wants the features of the
-/// patches that are to be looked at, of the block and of those after it; false if there are none.
+/// Finds which neighbours are calm, of a block's patches and those after them.
+void find_neighbours(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// Wants the features of the patches that are to be looked at, of the block and of those after it; false if
+/// there are none.
 bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
 /// Fills the boxes of a block's wanted features.

@@ -114,7 +114,7 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
 
 /// Triangles of one piece that all turn one way, side on side, with a border that runs along the hull, cover
 /// it a whole number of times: the sum of their areas says how often. The border may miss it by a hundredth
-/// of the least altitude, which the margins of keeps_apart() make good.
+/// of the least altitude, which the margins of the law make good.
 bool fills_its_hull(const std::vector<Point>& chart, std::span<const Triangle> triangles, double altitude) {
     const auto border = border_of(triangles);
     if (!border || border->empty()) return false;
@@ -271,7 +271,23 @@ FlatRest::FlatRest(const Features& features) {
         return near;
     };
 
-    std::vector<std::uint32_t> seen_for(count), covers, starts{0};
+    // The triangles of a patch that lie in a region of a chart. The margins of the law make good what covers
+    // by next to nothing.
+    std::vector<TriangleGroup> covers;
+    const auto cover = [&](const Rectangle& region, std::uint32_t piece, const SlotSpan& triangles) {
+        const std::size_t begin = covers.size();
+        for (std::uint32_t k = 0; k < triangles.count; ++k) {
+            const std::uint32_t slot = triangles.first + k;
+            Rectangle triangle;
+            for (const auto& corner : corners) triangle.add(charts.at[corner[slot]]);
+            if (charts.piece[corners[0][slot]] != piece || !region.overlaps(triangle, 1e-4 * charts.least))
+                continue;
+            if (covers.size() == begin || covers.back().number != slot / 16) covers.push_back({slot / 16, 0});
+            covers.back().triangles |= 1u << slot % 16;
+        }
+    };
+
+    std::vector<std::uint32_t> seen_for(count), walk, starts{0};
     std::vector<PatchNeighbours> neighbours;
     std::uint32_t pair = 0;
     for (std::uint32_t p = 0; p < count; ++p) {
@@ -280,14 +296,16 @@ FlatRest::FlatRest(const Features& features) {
             const Rectangle around = rectangles[p].joined(rectangles[q]);
             // Triangles under a convex region hang together: from patch to patch all are found.
             ++pair;
-            covers.push_back(p);
+            walk.assign(1, p);
             seen_for[p] = pair;
-            for (std::size_t k = begin; k < covers.size(); ++k)
-                for (const std::uint32_t r : beside[covers[k]]) {
+            for (std::size_t k = 0; k < walk.size(); ++k) {
+                cover(around, pieces[p], features.patches[walk[k]].triangles);
+                for (const std::uint32_t r : beside[walk[k]]) {
                     if (seen_for[r] == pair) continue;
                     seen_for[r] = pair;
-                    if (around.overlaps(rectangles[r], 1e-4 * charts.least)) covers.push_back(r);
+                    if (around.overlaps(rectangles[r], 1e-4 * charts.least)) walk.push_back(r);
                 }
+            }
             neighbours.push_back({q, begin, static_cast<std::uint32_t>(covers.size()),
                                   static_cast<float>(std::min(heights[p], heights[q]))});
         }
@@ -295,7 +313,7 @@ FlatRest::FlatRest(const Features& features) {
     }
     starts_ = SharedBuffer<std::uint32_t>(starts);
     neighbours_ = SharedBuffer<PatchNeighbours>(neighbours);
-    covers_ = SharedBuffer<std::uint32_t>(covers);
+    covers_ = SharedBuffer<TriangleGroup>(covers);
 }
 
 bool FlatRest::is_sound(std::size_t patches, std::size_t triangle_slots) const {
@@ -308,7 +326,9 @@ bool FlatRest::is_sound(std::size_t patches, std::size_t triangle_slots) const {
     };
     return std::ranges::all_of(inverse_, fits) &&
            (is_empty || are_offsets(starts_.span(), patches, neighbours_.size())) &&
-           std::ranges::all_of(neighbours_, is_of_patches) && are_below(covers_.span(), patches);
+           std::ranges::all_of(neighbours_, is_of_patches) &&
+           std::ranges::all_of(
+               covers_, [&](const TriangleGroup& group) { return group.number < triangle_slots / 16; });
 }
 
 bool FlatRest::has_all_triangles() const noexcept {
@@ -332,43 +352,14 @@ ChartFrame nearest_frame(const ChartFrame& gradient) noexcept {
             b * ux + d * vx, b * uy + d * vy, b * uz + d * vz};
 }
 
-void FlatRest::find_calm(std::uint32_t patch, float reach, const PatchStrain* strains,
-                         std::span<std::uint8_t> is_calm) const noexcept {
-    if (is_empty()) return;
-    for (std::uint32_t k = starts_[patch]; k < starts_[patch + 1]; ++k)
-        is_calm[k] = keeps_apart(neighbours_[k], patch, reach, strains) ? 1 : 0;
-}
-
-bool FlatRest::keeps_apart(const PatchNeighbours& pair, std::uint32_t patch, float reach,
-                           const PatchStrain* strains) const noexcept {
-    using Three = Eigen::Array3f;
-    using Six = Eigen::Array<float, 6, 1>;
-    const auto three = [](const std::array<float, 3>& a) { return Eigen::Map<const Three>(a.data()); };
-    const PatchStrain &a = strains[patch], &b = strains[pair.other];
-    const Three least = three(a.least_motion).min(three(b.least_motion)).min(0.0f);
-    const Three most = three(a.most_motion).max(three(b.most_motion)).max(0.0f);
-    const float spread = (most - least).matrix().norm();
-    // Margins: for rounding, for a border that is not quite convex, for patches that cover by next to
-    // nothing.
-    const float enough = 1.001f * (reach + spread) / (0.97f * pair.height);
-    if (!(std::min(a.along, b.along) > enough)) return false;
-
-    const std::span<const std::uint32_t> cover = covers_.span().subspan(pair.begin, pair.end - pair.begin);
-    Six sum = Six::Zero();
-    for (const std::uint32_t q : cover) sum += Eigen::Map<const Six>(strains[q].frame.data());
-    const ChartFrame frame = nearest_frame({sum[0], sum[1], sum[2], sum[3], sum[4], sum[5]});
-    return std::ranges::all_of(cover, [&](std::uint32_t q) {
-        const PatchStrain& strain = strains[q];
-        const ChartFrame& of_q = strain.frame;
-        const auto entry = [&](std::size_t i, std::size_t j) {
-            return frame[i] * of_q[j] + frame[i + 1] * of_q[j + 1] + frame[i + 2] * of_q[j + 2];
-        };
-        const float uu = entry(0, 0), vv = entry(3, 3), uv = 0.5f * (entry(0, 3) + entry(3, 0));
-        const float half = 0.5f * (uu - vv);
-        const float k = 0.5f * (uu + vv) - std::sqrt(half * half + uv * uv);
-        return k >= 0 && strain.along >= 0 &&
-               k * strain.along - std::sqrt(std::max(1 - k * k, 0.0f)) * strain.across > enough;
-    });
+float PatchStrain::spread_with(const PatchStrain& other) const noexcept {
+    float squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float least = std::min({least_motion[k], other.least_motion[k], 0.0f});
+        const float most = std::max({most_motion[k], other.most_motion[k], 0.0f});
+        squared += (most - least) * (most - least);
+    }
+    return std::sqrt(squared);
 }
 
 std::size_t FlatRest::bytes() const noexcept {

@@ -11,14 +11,12 @@
 // their corners: the line from a corner to what is not of its triangles leaves these across the side that
 // faces it. So they are apart in space by s times that. Cloth may turn by some 130 degrees until it is not.
 //
-// Of each patch are known a frame Q, the least of Q w . F w, c, and the most that F w has across Q w, p.
-// Where R w . Q w >= k >= 0 and c >= 0,
-//     R w . F w >= k c - sqrt(1 - k^2) p,
-// since what R w has across Q w is no longer than sqrt(1 - k^2).
+// Of a triangle, the least of R w . F w is the lesser eigenvalue of the symmetric part of R^T F.
 //
-// Over a motion: the normal n of closest points keeps a pair apart by their distance. What a part of the
-// motion takes off is at most n . (p - q) for p and q each a particle's motion or 0, which is at most the
-// diameter of all these.
+// Over a motion of which all particles go the same part at a time, F is linear in that part, and so is
+// R w . F w: what is s at both ends is no less between them. Where each particle may go another part of its
+// own, the normal n of closest points keeps a pair apart by their distance. What the motion takes off is at
+// most n . (p - q) for p and q each a particle's motion or 0, which is at most the diameter of all these.
 
 #include <array>
 #include <cstdint>
@@ -40,18 +38,24 @@ using ChartFrame = std::array<float, 6>;
 /// The frame nearest to a gradient; it is finite if the gradient is, and has an area.
 [[nodiscard]] ChartFrame nearest_frame(const ChartFrame& gradient) noexcept;
 
-/// How a patch's triangles lie, and the motions of its corners.
+/// The sum of the gradients of a patch's triangles, and the motions of its corners.
 struct PatchStrain {
-    ChartFrame frame;
-    float along;   ///< the least of w . Q^T F w; below 0: nothing is known
-    float across;  ///< the most that F w has across Q w
+    ChartFrame sum;
     std::array<float, 3> least_motion, most_motion;
+
+    /// The diameter of the motions of the corners of both, and of none.
+    [[nodiscard]] float spread_with(const PatchStrain& other) const noexcept;
+};
+
+/// Sixteen slots of triangles, and which of them count, a bit for each.
+struct TriangleGroup {
+    std::uint32_t number, triangles;
 };
 
 /// A pair of patches that lie side by side or nearly so, or one with itself.
 struct PatchNeighbours {
     std::uint32_t other;       ///< not below the first
-    std::uint32_t begin, end;  ///< in FlatRest::covers(): the patches whose triangles lie around both
+    std::uint32_t begin, end;  ///< in FlatRest::covers(): the triangles in a convex region around both
     float height;              ///< [m] between features that share no vertex, at least
 };
 
@@ -100,21 +104,20 @@ class FlatRest {
     [[nodiscard]] std::uint32_t pairs() const noexcept {
         return static_cast<std::uint32_t>(neighbours_.size());
     }
-    /// Sets, by pair, for those of one patch, whether all features of the two that share no vertex surely
-    /// stay farther apart than reach, while each particle goes any part of its motion. `strains` are those of
-    /// the mesh's patches.
-    void find_calm(std::uint32_t patch, float reach, const PatchStrain* strains,
-                   std::span<std::uint8_t> is_calm) const noexcept;
+    /// The first of a patch's pairs.
+    [[nodiscard]] std::uint32_t first_of(std::uint32_t patch) const noexcept { return starts_[patch]; }
+    /// Pairs of a patch and those not below it, from first_of() it to first_of() the next.
+    [[nodiscard]] std::span<const PatchNeighbours> neighbours() const noexcept { return neighbours_.span(); }
+    [[nodiscard]] std::span<const TriangleGroup> cover(const PatchNeighbours& pair) const noexcept {
+        return covers_.span().subspan(pair.begin, pair.end - pair.begin);
+    }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    [[nodiscard]] bool keeps_apart(const PatchNeighbours& pair, std::uint32_t patch, float reach,
-                                   const PatchStrain* strains) const noexcept;
-
     std::array<SharedBuffer<float>, 4> inverse_;
     SharedBuffer<std::uint32_t> starts_;  // by patch, into neighbours_
     SharedBuffer<PatchNeighbours> neighbours_;
-    SharedBuffer<std::uint32_t> covers_;
+    SharedBuffer<TriangleGroup> covers_;
 };
 
 }  // namespace weft

@@ -215,12 +215,17 @@ std::set<std::array<std::uint32_t, 4>> corners_of(const PairList& list, bool ver
 }
 
 // A list without the pairs of marked particles gets these again, and of their patches at most what find()
-// lists.
+// lists. Searches with motions that are no others open no neighbours.
 TEST(PairFinder, FindsMoreWhereParticlesAreMarked) {
     for (const bool moving : {false, true}) {
         ContactScene scene = folded(30, 0.3f);
         if (moving) scene.add_motions(random_vectors(scene.positions.size(), 0.1f * edge, 2));
-        const LaidOut<PairList> all = pairs_of(scene);
+        LaidOut<PairFinder> finder;
+        finder.reserve(scene.bodies);
+        Parallel parallel(1);
+        LaidOut<PairList> all(1 << 18);
+        finder.find(parallel, scene.bodies, scene.positions, scene.motions, all, 1, FullList::has_the_first,
+                    Parts::alike);
         ASSERT_GT(all.vertex_triangle, 50u);
         ASSERT_GT(all.size - all.vertex_triangle, 50u);
         for (const std::uint32_t marked : {0u, 1u, 20u, 900u}) {
@@ -235,9 +240,6 @@ TEST(PairFinder, FindsMoreWhereParticlesAreMarked) {
                 list.pairs[list.size++] = all.pairs[k];
             }
             const std::uint32_t left = list.size;
-            LaidOut<PairFinder> finder;
-            finder.reserve(scene.bodies);
-            Parallel parallel(1);
             finder.find_more(parallel, scene.bodies, scene.positions, scene.motions, marks, list);
             EXPECT_FALSE(list.overflowed);
             EXPECT_EQ(corners_of(list, true), corners_of(all, true)) << marked;
@@ -255,9 +257,6 @@ TEST(PairFinder, FindsMoreWhereParticlesAreMarked) {
         }
         std::vector<std::uint8_t> every(scene.positions.size(), 1);
         LaidOut<PairList> full(all.size - 1);
-        LaidOut<PairFinder> finder;
-        finder.reserve(scene.bodies);
-        Parallel parallel(1);
         finder.find_more(parallel, scene.bodies, scene.positions, scene.motions, every, full);
         EXPECT_TRUE(full.overflowed);
         EXPECT_EQ(full.size, 0u);
