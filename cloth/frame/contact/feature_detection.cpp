@@ -12,6 +12,22 @@
 
 namespace weft {
 
+namespace {
+
+constexpr int most_tries = 4;  // to make room in the list for a shorter motion's pairs
+
+/// Shortens displacements, but for the common motion.
+void shorten(Parallel& parallel, std::span<const ParticleRange> ranges, const CommonMotion& common,
+             std::span<const Vec4> starts, std::span<Vec4> displacements) {
+    constexpr float shorter = 0.25f;
+    for_ranges(parallel, ranges, [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(displacements[i], give_back(common, xyz(starts[i]), xyz(displacements[i]), shorter));
+    });
+}
+
+}  // namespace
+
 void FeatureContact::set_reach(float ContactCloth::*of_cloth) {
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].reach = cloths_[k].*of_cloth;
 }
@@ -147,16 +163,10 @@ void FeatureContact::find_of_motion(Parallel& parallel) {
 // A full stop would leave cloth that is drawn out wanting the same motion in the next step, and never let it
 // come home.
 void FeatureContact::find_for_part_of_way(Parallel& parallel) {
-    constexpr float shorter = 0.25f;
-    constexpr int most_tries = 4;
     find_for_cut(parallel);
     for (int k = 0; pairs_.overflowed && k < most_tries; ++k) {
-        const CommonMotion common = is_pinned_ ? CommonMotion{} : settler_.common();
-        for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {
-            for (std::uint32_t i = range.begin; i < range.end; ++i)
-                set_xyz(displacements_[i],
-                        give_back(common, xyz(start_[i]), xyz(displacements_[i]), shorter));
-        });
+        shorten(parallel, ranges_.span(), is_pinned_ ? CommonMotion{} : settler_.common(), start_.span(),
+                displacements_.span());
         find_for_cut(parallel);
     }
 }
@@ -164,19 +174,33 @@ void FeatureContact::find_for_part_of_way(Parallel& parallel) {
 FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
     if (uses_zones()) return settle_by_zones(parallel);
     if (may_cross_ && !tangles_.any()) tangles_.recall(bodies_.span(), memory_.span());
-    find_for_part_of_way(parallel);
-    for (const ParticleRange& range : ranges_.span())
-        std::copy_n(displacements_.data() + range.first, range.count, searched_.data() + range.first);
-    const SettleResult result = cut_listed(parallel, is_pushed);
+    SettleResult result;
+    for (int k = 0;; ++k) {
+        find_for_part_of_way(parallel);
+        for (const ParticleRange& range : ranges_.span())
+            std::copy_n(displacements_.data() + range.first, range.count, searched_.data() + range.first);
+        const bool was_full = pairs_.overflowed;
+        result = cut_listed(parallel, is_pushed);
+        if (was_full || !pairs_.overflowed || k == most_tries) break;
+        // The list became full with what was opened: a shorter motion has room here, too.
+        for (const ParticleRange& range : ranges_.span())
+            std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
+        shorten(parallel, ranges_.span(), is_pinned_ ? CommonMotion{} : settler_.common(), start_.span(),
+                displacements_.span());
+    }
     return result.draws_pins ? cut_without_common(parallel, is_pushed) : counts_of(parallel, result);
 }
 
 FeatureCounts FeatureContact::cut_without_common(Parallel& parallel, bool is_pushed) {
-    for (const ParticleRange& range : ranges_.span())
-        std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
-    settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::none);
-    find_of_motion(parallel);
-    return counts_of(parallel, cut_listed(parallel, is_pushed));
+    for (int k = 0;; ++k) {
+        for (const ParticleRange& range : ranges_.span())
+            std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
+        settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::none);
+        find_of_motion(parallel);
+        const SettleResult result = cut_listed(parallel, is_pushed);
+        if (!pairs_.overflowed || k == most_tries) return counts_of(parallel, result);
+        shorten(parallel, ranges_.span(), CommonMotion{}, start_.span(), searched_.span());
+    }
 }
 
 FeatureCounts FeatureContact::go_on(Parallel& parallel, bool is_pushed) {
