@@ -14,6 +14,7 @@
 
 #include <Eigen/Dense>
 
+#include "cloth/mesh/rest/linear_bending.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 
@@ -203,6 +204,26 @@ TEST(VertexBending, FollowsThePattern) {
             EXPECT_NEAR(energy_of(model, roll) / expected, 1, 0.03) << angle;
         }
     }
+}
+
+// Those of XPBD and of fibres: by B (cos^2 + sqrt(r) sin^2)^2 of the angle between their normal and the warp.
+TEST(VertexBending, HingesAreAsStiffAsTheFabricIsAcrossThem) {
+    for (const Sample& sample : samples)
+        for (const float ratio : ratios) {
+            const ClothModel model = must(cook(mesh_of(sample, 12), ratio));
+            const std::vector<BendingElement> found = linear_bending(model),
+                                              alike = linear_bending(must(cook(mesh_of(sample, 12))));
+            ASSERT_EQ(found.size(), alike.size());
+            for (std::size_t e = 0; e < found.size(); ++e) {
+                ASSERT_EQ(found[e].particles, alike[e].particles);
+                const Vector3 edge =
+                    xyz(model.positions[found[e].particles[1]]) - xyz(model.positions[found[e].particles[0]]);
+                const Eigen::Vector3d along = edge.cast<double>().normalized();
+                const double root =
+                    along.z() * along.z() + std::sqrt(static_cast<double>(ratio)) * along.x() * along.x();
+                EXPECT_NEAR(static_cast<double>(found[e].k / alike[e].k) / (root * root), 1, 1e-4);
+            }
+        }
 }
 
 // Relaxation divides by at least half of the largest eigenvalue, and bending pulls nothing apart for good.
