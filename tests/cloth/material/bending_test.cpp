@@ -321,6 +321,16 @@ TEST(HeldRigidity, KnowsTheMassThatAMapLeaves) {
     EXPECT_FLOAT_EQ(cloth.bending_per_area, 100 * before);
 }
 
+TEST(HeldRigidity, KnowsTheRatioThatSettingsChange) {
+    ClothSettings settings;
+    Cloth cloth(cook(sheet(5, 5)).value(), settings);
+    settings.fabric.bending_ratio = 50;
+    const Cloth stiff(cook(sheet(5, 5)).value(), settings);
+    EXPECT_GT(stiff.bending_per_area, 10 * cloth.bending_per_area);
+    cloth.apply(settings);
+    EXPECT_EQ(cloth.bending_per_area, stiff.bending_per_area);
+}
+
 TEST(HeldRigidity, IsTheFabricsForCellsThatGamesHave) {
     for (const float cell : {1e-3f, 1e-2f, 1e-1f}) {
         const Mesh mesh =

@@ -15,6 +15,7 @@
 #include <Eigen/Dense>
 
 #include "cloth/mesh/rest/linear_bending.h"
+#include "cloth/mesh/rest/rigidity.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 
@@ -204,6 +205,34 @@ TEST(VertexBending, FollowsThePattern) {
             EXPECT_NEAR(energy_of(model, roll) / expected, 1, 0.03) << angle;
         }
     }
+}
+
+// The moment is along x alone, so that borders along x bear none, though they run askew to the warp.
+TEST(VertexBending, BordersAskewToTheWarpAreFree) {
+    constexpr std::uint32_t side = 24;
+    constexpr double turn = 0.6;
+    for (const Sample& sample : samples)
+        for (const float ratio : ratios) {
+            SCOPED_TRACE(sample.name + " " + std::to_string(ratio));
+            Mesh mesh = mesh_of(sample, side);
+            for (const Vec3& x : mesh.positions)
+                mesh.pattern.push_back(
+                    {static_cast<float>(std::cos(turn)) * x.x + static_cast<float>(std::sin(turn)) * x.z,
+                     static_cast<float>(std::cos(turn)) * x.z - static_cast<float>(std::sin(turn)) * x.x});
+            const ClothModel model = must(cook(mesh, ratio));
+            const Tensor k =
+                rigidity_about({std::cos(turn), std::sin(turn)}, static_cast<double>(ratio)).inverse().col(0);
+            const std::vector<double> force = forces(model, [&](double x, double z) {
+                return (k[0] * x * x + k[1] * z * z) / 2 + k[2] / std::numbers::sqrt2 * x * z;
+            });
+            const double cell = static_cast<double>(sample.aspect) / side;
+            for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+                const auto x = static_cast<double>(model.positions[i].x);
+                if (std::min(x, 1 - x) / cell > 3.5) {
+                    EXPECT_LE(std::abs(force[i]), 0.06 * std::max(static_cast<double>(ratio), 1.0)) << i;
+                }
+            }
+        }
 }
 
 // Those of XPBD and of fibres: by B (cos^2 + sqrt(r) sin^2)^2 of the angle between their normal and the warp.
