@@ -297,20 +297,28 @@ std::vector<Vec4> cut_at_random(std::vector<Vec4> motions, std::uint32_t few, st
     return motions;
 }
 
+/// A search of a scene whose particles all go the same part of their motions, and what it listed.
+struct SearchAlike {
+    LaidOut<PairFinder> finder;
+    Parallel parallel{1};
+    LaidOut<PairList> list{1 << 18};
+
+    explicit SearchAlike(const ContactScene& scene) {
+        finder.reserve(scene.bodies);
+        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
+                    Parts::alike);
+    }
+};
+
 TEST(CalmPatches, WhatAllGoesAlikeIsListedWhereItComesNear) {
     std::size_t near = 0, passed_over = 0;
     for (std::uint32_t seed = 0; seed < 6; ++seed) {
         const ContactScene scene = fluttering(0.25f + 0.25f * static_cast<float>(seed % 3), seed);
-        LaidOut<PairFinder> finder;
-        finder.reserve(scene.bodies);
-        Parallel parallel(1);
-        LaidOut<PairList> list(1 << 18);
-        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
-                    Parts::alike);
-        near += expect_listed(scene, scene.motions, list);
+        SearchAlike search(scene);
+        near += expect_listed(scene, scene.motions, search.list);
         const LaidOut<PairList> all = pairs_of(scene);
-        EXPECT_TRUE(std::ranges::includes(keys_of(all), keys_of(list)));
-        passed_over += all.size - list.size;
+        EXPECT_TRUE(std::ranges::includes(keys_of(all), keys_of(search.list)));
+        passed_over += all.size - search.list.size;
     }
     EXPECT_GT(near, 100u);
     EXPECT_GT(passed_over, 1000u);
@@ -321,15 +329,10 @@ TEST(CalmPatches, OtherMotionsOpenWhatWasPassedOver) {
     for (std::uint32_t seed = 0; seed < 6; ++seed) {
         ContactScene scene = fluttering(0.25f, seed);
         const std::vector<Vec4> others = fluttering(0.75f, seed + 1).motions;
-        LaidOut<PairFinder> finder;
-        finder.reserve(scene.bodies);
-        Parallel parallel(1);
-        LaidOut<PairList> list(1 << 18);
-        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
-                    Parts::alike);
+        SearchAlike search(scene);
         const std::vector<std::uint8_t> marks(scene.positions.size(), 1);
-        finder.find_more(parallel, scene.bodies, scene.positions, others, marks, list);
-        near += expect_listed(scene, others, list);
+        search.finder.find_more(search.parallel, scene.bodies, scene.positions, others, marks, search.list);
+        near += expect_listed(scene, others, search.list);
     }
     EXPECT_GT(near, 100u);
 }
@@ -338,25 +341,21 @@ TEST(CalmPatches, WhatIsCutIsListedWhereItComesNear) {
     std::size_t near = 0, opened = 0;
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
         const ContactScene scene = fluttering(0.25f + 0.25f * static_cast<float>(seed % 3), seed);
-        LaidOut<PairFinder> finder;
-        finder.reserve(scene.bodies);
-        Parallel parallel(1);
-        LaidOut<PairList> list(1 << 18);
-        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
-                    Parts::alike);
+        SearchAlike search(scene);
         const auto look_again = [&](const std::vector<Vec4>& cut) {
-            return finder.find_opened(parallel, scene.bodies, scene.positions, scene.motions, cut, list);
+            return search.finder.find_opened(search.parallel, scene.bodies, scene.positions, scene.motions,
+                                             cut, search.list);
         };
         EXPECT_FALSE(look_again(scene.motions)) << "nothing is cut";
         const std::vector<Vec4> cut = cut_at_random(scene.motions, seed < 6 ? 4 : 40, seed);
         opened += look_again(cut);
-        near += expect_listed(scene, cut, list);
+        near += expect_listed(scene, cut, search.list);
         EXPECT_FALSE(look_again(cut)) << "what is opened is listed";
         const std::vector<Vec4> cut_more = cut_at_random(cut, 4, seed + 1);
         look_again(cut_more);
-        near += expect_listed(scene, cut_more, list);
+        near += expect_listed(scene, cut_more, search.list);
         const LaidOut<PairList> all = pairs_of(scene);
-        EXPECT_TRUE(std::ranges::includes(keys_of(all), keys_of(list)));
+        EXPECT_TRUE(std::ranges::includes(keys_of(all), keys_of(search.list)));
     }
     EXPECT_GT(near, 100u);
     EXPECT_GT(opened, 3u);
