@@ -48,7 +48,7 @@ struct ClothInfo {
     /// Besides, the memory that it shares with all cloths of its CookedCloth: once for all of them. 0 for a
     /// cloth that was added by its mesh. Other settings may take a cloth of its own what it shared.
     std::uint64_t shared_bytes = 0;
-    /// Of `bytes`, the part that only a step needs. Cloths share it: a World has it for as many cloths, the
+    /// The part of `bytes` that only a step needs. Cloths share it: a World has it for as many cloths, the
     /// largest, as it has threads. Cloths with contact between features each add theirs, as do all in a World
     /// with bodies.
     std::uint64_t scratch_bytes = 0;

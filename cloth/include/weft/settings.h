@@ -33,9 +33,9 @@ struct Fabric {
     /// no more of it than floats hold beside the mass, some 1e7 areal_density cell^4 / dt^2: less than asked
     /// for where cells are below 0.2 mm, or for boards.
     float bending = 2e-5f;
-    /// Flexural rigidity along the weft over that along the warp, 0.01 to 100; twist has their geometric
-    /// mean, so that a strip cut at 45 degrees bends by the square of their roots' mean. Where cloth is in a
-    /// World, another value cooks its bending again: some microseconds a particle.
+    /// Flexural rigidity along the weft over that along the warp, 0.01 to 100. Twist has their geometric
+    /// mean, so that cloth rolled up at 45 degrees to both has the square of the mean of their roots. A new
+    /// value for a cloth in a World cooks its bending again: some microseconds a particle.
     float bending_ratio = 1;
     /// Stress from the rate of strain over that from strain [s], 0 to 100: the time in which stretch, shear
     /// and bend creep back once a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The step

@@ -3,7 +3,8 @@
 //
 // An orthotropic plate of curvature K has the energy 1/2 K : D K per area. With the rigidities B along the
 // warp and r B along the weft, and sqrt(r) B for twist, it is the isotropic plate drawn out along the weft by
-// r^(-1/4) (Huber 1923): a strip cut at an angle a to the warp bends by B (cos^2 a + sqrt(r) sin^2 a)^2.
+// r^(-1/4) (Huber 1923). Rolled up at an angle a to the warp it has B (cos^2 a + sqrt(r) sin^2 a)^2; a narrow
+// strip cut at that angle, which may twist as it bends, has B / (cos^2 a + sin^2 a / sqrt(r))^2.
 
 #include <cmath>
 #include <numbers>

@@ -13,8 +13,8 @@
 // and no force inside. Halves are not; what the ends of edges have to exchange for it is found here. E_v is
 // up to three squares |sum_i c_i x_i|^2 over the vertex and its neighbours.
 //
-// Of cloth with a rigidity B D that is not the same in all directions, all of this holds for the curvature
-// D^1/2 K and the moment D^-1/2 M: n n^T and f then stand for D^1/2 n n^T and D^-1/2 f.
+// Cloth whose rigidity B D is not the same in all directions is reduced to this by taking D^1/2 K for the
+// curvature and D^-1/2 M for the moment: n n^T and f then stand for D^1/2 n n^T and D^-1/2 f.
 
 #include <cstdint>
 #include <vector>

@@ -84,7 +84,7 @@ std::vector<double> forces(const ClothModel& model, const Height& height) {
     return result;
 }
 
-/// Of bending of rigidity 1, likewise [N m].
+/// The energy of bending of rigidity 1 at such heights [N m].
 double energy_of(const ClothModel& model, const Height& height) {
     const std::vector<double> force = forces(model, height);
     double energy = 0;
@@ -235,7 +235,7 @@ TEST(VertexBending, BordersAskewToTheWarpAreFree) {
         }
 }
 
-// Those of XPBD and of fibres: by B (cos^2 + sqrt(r) sin^2)^2 of the angle between their normal and the warp.
+// XPBD and fibres have hinges: each bends by B (cos^2 + sqrt(r) sin^2)^2 of its normal's angle to the warp.
 TEST(VertexBending, HingesAreAsStiffAsTheFabricIsAcrossThem) {
     for (const Sample& sample : samples)
         for (const float ratio : ratios) {
