@@ -36,6 +36,9 @@ struct SolveResult {
     float residual = 0;     ///< see StepResidual, which measures every method alike
     bool ok = true;         ///< false: no solution was found, and the velocities may hold anything
     bool unsolved = false;  ///< more of the equation is left than the method tolerates
+    /// So much is left beside the motion itself that the next step had better not go on with what this one
+    /// changed.
+    bool is_rough = false;
 };
 
 /// Owns what of its method lasts from substep to substep. All else lies in scratch, so that cloths that are

@@ -17,12 +17,14 @@ namespace weft {
 /// Sums over particles: of velocities in the first three, of what they are weighted by in the last.
 struct VelocitySums {
     std::array<double, 4> pinned{}, moving{};
+    double energy = 0;  ///< kinetic, of those that are not pinned [J]
 
     friend VelocitySums operator+(VelocitySums l, const VelocitySums& r) {
         for (std::size_t k = 0; k < 4; ++k) {
             l.pinned[k] += r.pinned[k];
             l.moving[k] += r.moving[k];
         }
+        l.energy += r.energy;
         return l;
     }
 };
