@@ -4,7 +4,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 
-#include "render/matrices.h"
+#include "render/view/matrices.h"
 
 namespace weft::render {
 

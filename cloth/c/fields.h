@@ -1,13 +1,13 @@
 #pragma once
 // Which struct for C stands for which of C++. Those with the same fields have them from
-// frame/settings/fields.h, in one list for both; of the others each pair is here. fields(way, c, of): a way
+// settings/fields.h, in one list for both; of the others each pair is here. fields(way, c, of): a way
 // assigns one of the two to the other. tests/embedding/c/fields_test.cpp fails where a field has no
 // counterpart.
 
 #include <concepts>
 #include <type_traits>
 
-#include "cloth/frame/settings/fields.h"
+#include "cloth/settings/fields.h"
 #include "weft/c/reports.h"
 #include "weft/c/settings.h"
 #include "weft/weft.h"

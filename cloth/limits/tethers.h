@@ -13,7 +13,7 @@
 
 #include "cloth/limits/limit.h"
 #include "cloth/mesh/cook.h"
-#include "cloth/mesh/geodesics.h"
+#include "cloth/mesh/cooking/geodesics.h"
 #include "engine/memory/aligned_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <span>
 
-#include "cloth/limits/skin_state.h"
-#include "cloth/system/contacts.h"
+#include "cloth/equation/contacts.h"
+#include "cloth/state/skin_state.h"
 #include "engine/memory/aligned_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"

@@ -1,4 +1,4 @@
-// A grid's cells lane by lane. Included as cloth/system/sparse/stencil-inl.h.
+// A grid's cells lane by lane. Included as cloth/equation/sparse/stencil-inl.h.
 
 #if defined(WEFT_CLOTH_SURFACE_GRID_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_SURFACE_GRID_CELLS_INL_H
@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <array>
 
+#include "cloth/equation/grid/grid_windows-inl.h"
 #include "cloth/surface/grid_cells.h"
-#include "cloth/system/grid/grid_windows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

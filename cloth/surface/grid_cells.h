@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
+#include "cloth/equation/grid/grid_windows.h"
 #include "cloth/mesh/cook.h"
-#include "cloth/system/grid/grid_windows.h"
 #include "engine/memory/aligned_buffer.h"
 #include "engine/memory/shared_buffer.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "collision/colliders/nearest_on_triangle.h"
+#include "collision/geometry/nearest_on_triangle.h"
 
 namespace weft {
 namespace {

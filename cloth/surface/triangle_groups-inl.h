@@ -1,4 +1,4 @@
-// What kernels read by TriangleGroups. Included like cloth/system/sparse/stencil-inl.h.
+// What kernels read by TriangleGroups. Included like cloth/equation/sparse/stencil-inl.h.
 
 #if defined(WEFT_CLOTH_SURFACE_TRIANGLE_GROUPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_SURFACE_TRIANGLE_GROUPS_INL_H

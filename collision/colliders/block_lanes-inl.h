@@ -1,10 +1,10 @@
 // BlockLanes in registers. Included as engine/simd/lanes-inl.h is.
 
-#if defined(WEFT_COLLISION_BLOCK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef WEFT_COLLISION_BLOCK_LANES_INL_H
-#undef WEFT_COLLISION_BLOCK_LANES_INL_H
+#if defined(WEFT_COLLISION_COLLIDERS_BLOCK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_COLLIDERS_BLOCK_LANES_INL_H
+#undef WEFT_COLLISION_COLLIDERS_BLOCK_LANES_INL_H
 #else
-#define WEFT_COLLISION_BLOCK_LANES_INL_H
+#define WEFT_COLLISION_COLLIDERS_BLOCK_LANES_INL_H
 #endif
 
 #include "collision/colliders/collider_contacts.h"

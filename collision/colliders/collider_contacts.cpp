@@ -7,7 +7,6 @@
 
 #include "collision/colliders/collider_kernels.h"
 #include "collision/shapes/moving_shapes.h"
-#include "collision/thin/whole_triangles.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -220,17 +219,15 @@ CollidingParticles part_of(const CollidingParticles& all, const BlockRange& rang
 
 }  // namespace
 
-std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
-                      float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials) {
-    if (colliders.empty()) return 0;
+std::uint32_t collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                                const ClothSide& cloth, float h, const CollidingParticles& particles,
+                                std::span<std::uint32_t> block_partials) {
     const auto block = [&](const BlockRange& range) {
         return collide_block(colliders, cloth.part(range.begin, range.end - range.begin), h,
                              part_of(particles, range));
     };
-    const std::uint32_t met = parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()),
-                                              block_partials, 0u, block, std::plus<>{});
-    if (particles.whole == nullptr || particles.starts.empty()) return met;
-    return met + particles.whole->keep_out(parallel, colliders, cloth, h, particles);
+    return parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()), block_partials, 0u, block,
+                           std::plus<>{});
 }
 
 std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,

@@ -1,72 +1,18 @@
 #pragma once
 // Particles against colliders, moving or not, with Coulomb friction.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 
-#include "engine/bounds.h"
+#include "collision/shapes/collider_motion.h"
 #include "engine/memory/aligned_buffer.h"
 #include "engine/threads/parallel_blocks.h"
 #include "engine/vector.h"
-#include "weft/collider.h"
-#include "weft/error.h"
 
 namespace weft {
 
-class HeldShape;
 class WholeTriangles;
-
-/// One collider over one substep: where it was at its start and is at its end.
-struct ColliderMotion {
-    Collider start, end;  // the same alternative in both
-    /// No point of its axis, and no surface that grows or is a plane, moves what it meets faster than this,
-    /// however far the collider jumps [m/s].
-    float fastest = std::numeric_limits<float>::max();
-    const HeldShape* held = nullptr;  ///< of a PlacedShape
-    float rate = 0;          ///< steps of the host a second, where what is held deforms in this one [1/s]
-    std::int32_t body = -1;  ///< the number of the body that carries it; -1: none
-    /// Of the body at the end [m], [m/s], [rad/s]: a ball's ends have no spin.
-    Vector3 centre = Vector3::Zero(), velocity = Vector3::Zero(), spin = Vector3::Zero();
-    /// Around all that it fills on its way, with its own thickness: what is far off is told by this alone.
-    Bounds filled = everywhere;
-};
-
-/// Error: a value outside its range in collider.h.
-[[nodiscard]] Result<void> validate(const Collider& collider);
-
-/// The collider a fraction t of the way from `from` to `to`: points, radius, offset and numbers are blended,
-/// normals blended and normalised; layers are `to`'s. Precondition: the same alternative in both.
-[[nodiscard]] Collider blend(const Collider& from, const Collider& to, float t);
-
-/// What a cloth brings to its contacts with colliders. How the two go together, collider.h says.
-struct ClothSide {
-    /// Each particle keeps such a distance [m], and has such a friction.
-    std::span<const float> thickness, friction;
-    float most_thickness = 0;  ///< no particle's is more [m]
-    float restitution = 0;
-    std::uint32_t mask = ~0u;  ///< of the layers that it meets
-    float least_bounce = 0;    ///< what comes slower does not bounce [m/s]
-
-    [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
-    /// The same of some of its particles.
-    [[nodiscard]] ClothSide part(std::uint32_t begin, std::uint32_t size) const {
-        ClothSide part = *this;
-        part.thickness = thickness.subspan(begin, size);
-        part.friction = friction.subspan(begin, size);
-        return part;
-    }
-};
-
-/// The distance at which the collider can first touch a particle of the cloth [m].
-inline float thickness_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return cloth.most_thickness + motion.end.thickness;
-}
-inline float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return std::max(cloth.restitution, motion.end.restitution);
-}
 
 /// A cloth's particles over a substep.
 struct CollidingParticles {
@@ -80,14 +26,10 @@ struct CollidingParticles {
     WholeTriangles* whole = nullptr;
 };
 
-/// Moves every free particle (inverse mass > 0) that is nearer than the thickness to a collider's surface, or
-/// inside it, out to the thickness; takes from its velocity relative to the surface what approaches it, gives
-/// it what bounces, and takes by Coulomb's law what slides along it. Friction moves the position too, so that
-/// cloth at rest on a slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the
-/// number of particles that met a collider. Preconditions: block_partials.size() >=
-/// block_count(positions.size()); `cloth` has as many particles.
-std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
-                      float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials);
+/// collide() of thin/collide.h, of particles alone.
+std::uint32_t collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                                const ClothSide& cloth, float h, const CollidingParticles& particles,
+                                std::span<std::uint32_t> block_partials);
 
 /// Vectors of a block's particles, component by component.
 struct BlockLanes {

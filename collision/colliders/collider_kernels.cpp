@@ -5,7 +5,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/shapes/block_kernels-inl.h"
+#include "collision/colliders/block_kernels-inl.h"
 #include "collision/shapes/body_lanes-inl.h"
 #include "collision/shapes/round_lanes-inl.h"
 

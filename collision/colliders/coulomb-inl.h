@@ -1,10 +1,10 @@
 // Coulomb's law, as contacts of all kinds apply it. Included as engine/simd/lanes-inl.h is.
 
-#if defined(WEFT_COLLISION_COULOMB_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef WEFT_COLLISION_COULOMB_INL_H
-#undef WEFT_COLLISION_COULOMB_INL_H
+#if defined(WEFT_COLLISION_COLLIDERS_COULOMB_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_COLLIDERS_COULOMB_INL_H
+#undef WEFT_COLLISION_COLLIDERS_COULOMB_INL_H
 #else
-#define WEFT_COLLISION_COULOMB_INL_H
+#define WEFT_COLLISION_COLLIDERS_COULOMB_INL_H
 #endif
 
 #include "engine/simd/lanes-inl.h"

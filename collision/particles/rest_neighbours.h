@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/particles/rest_filter.h"
+#include "collision/search/rest_filter.h"
 #include "engine/memory/list_checks.h"
 #include "engine/memory/shared_buffer.h"
 #include "weft/error.h"

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "collision/particles/pair_response.h"
-#include "collision/particles/rest_filter.h"
 #include "collision/search/hash_grid.h"
 #include "collision/search/patches.h"
+#include "collision/search/rest_filter.h"
 #include "collision/search/search_kernels.h"
 #include "collision/search/sweep_grid.h"
 #include "engine/memory/aligned_buffer.h"

@@ -1,10 +1,10 @@
 // Boxes in registers, one to a lane. Included as engine/simd/lanes-inl.h is.
 
-#if defined(WEFT_COLLISION_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef WEFT_COLLISION_BOXES_INL_H
-#undef WEFT_COLLISION_BOXES_INL_H
+#if defined(WEFT_COLLISION_SEARCH_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_SEARCH_BOXES_INL_H
+#undef WEFT_COLLISION_SEARCH_BOXES_INL_H
 #else
-#define WEFT_COLLISION_BOXES_INL_H
+#define WEFT_COLLISION_SEARCH_BOXES_INL_H
 #endif
 
 #include "collision/search/patch_kernels.h"

@@ -1,11 +1,11 @@
 // What the searches share: lanes of indices, distances, and `Cells`, lane by lane. Included as
 // engine/simd/lanes-inl.h is.
 
-#if defined(WEFT_COLLISION_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef WEFT_COLLISION_CELLS_INL_H
-#undef WEFT_COLLISION_CELLS_INL_H
+#if defined(WEFT_COLLISION_SEARCH_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_SEARCH_CELLS_INL_H
+#undef WEFT_COLLISION_SEARCH_CELLS_INL_H
 #else
-#define WEFT_COLLISION_CELLS_INL_H
+#define WEFT_COLLISION_SEARCH_CELLS_INL_H
 #endif
 
 #include "collision/search/cells.h"

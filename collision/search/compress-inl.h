@@ -3,11 +3,11 @@
 // Highway 1.0.3's Compress for 8 and 4 lanes has its table in a local array: g++ copies that to the stack
 // at every call, which took two thirds of a search's time on AVX2.
 
-#if defined(WEFT_COLLISION_COMPRESS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef WEFT_COLLISION_COMPRESS_INL_H
-#undef WEFT_COLLISION_COMPRESS_INL_H
+#if defined(WEFT_COLLISION_SEARCH_COMPRESS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_SEARCH_COMPRESS_INL_H
+#undef WEFT_COLLISION_SEARCH_COMPRESS_INL_H
 #else
-#define WEFT_COLLISION_COMPRESS_INL_H
+#define WEFT_COLLISION_SEARCH_COMPRESS_INL_H
 #endif
 
 #include <array>

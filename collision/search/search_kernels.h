@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
-#include "collision/particles/rest_filter.h"
 #include "collision/search/grid_kernels.h"
 #include "collision/search/hash_grid.h"
+#include "collision/search/rest_filter.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "collision/colliders/collider_contacts.h"
+#include "collision/shapes/collider_motion.h"
 #include "collision/shapes/held_shape.h"
 #include "engine/vector.h"
 #include "weft/collider.h"

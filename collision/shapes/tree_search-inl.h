@@ -12,7 +12,7 @@
 #include <cstring>
 #include <limits>
 
-#include "collision/contact/pairs/closest-inl.h"
+#include "collision/geometry/closest-inl.h"
 #include "collision/shapes/round_lanes-inl.h"
 #include "collision/shapes/triangle_tree.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/colliders/nearest_on_triangle.h"
+#include "collision/geometry/nearest_on_triangle.h"
 
 namespace weft {
 

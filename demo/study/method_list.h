@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/solvers/solver.h"
+#include "cloth/solver/solver.h"
 
 namespace weft::study {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/simulation/simulation.h"
 #include "demo/study/method_list.h"
 #include "weft/mesh.h"
 

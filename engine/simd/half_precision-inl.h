@@ -1,4 +1,4 @@
-// Half precision in memory, single in registers. Included as cloth/system/sparse/stencil-inl.h.
+// Half precision in memory, single in registers. Included as cloth/equation/sparse/stencil-inl.h.
 
 #if defined(WEFT_ENGINE_SIMD_HALF_PRECISION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_ENGINE_SIMD_HALF_PRECISION_INL_H

@@ -1,5 +1,5 @@
 // Vec4 rows in registers as they lie in memory, for kernels that are mostly sums of rows: what is added needs
-// no transposing. Included like cloth/system/sparse/stencil-inl.h, on which it builds.
+// no transposing. Included like cloth/equation/sparse/stencil-inl.h, on which it builds.
 
 #if defined(WEFT_ENGINE_SIMD_PACKED_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_ENGINE_SIMD_PACKED_ROWS_INL_H

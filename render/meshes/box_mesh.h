@@ -2,7 +2,7 @@
 // One cube that solid.vert bends into every box.
 
 #include "render/gl/gl.h"
-#include "render/light_frame.h"
+#include "render/view/light_frame.h"
 #include "weft/render/scene_renderer.h"
 
 namespace weft::render {

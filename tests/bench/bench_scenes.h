@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/simulation/simulation.h"
 
 namespace weft::bench {
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cloth/solvers/make_system.h"
-#include "cloth/solvers/multigrid/multigrid.h"
-#include "cloth/solvers/positional/xpbd_kernel.h"
+#include "cloth/methods/positional/xpbd_kernel.h"
+#include "cloth/solver/levels/multigrid.h"
+#include "cloth/solver/make_system.h"
 #include "collision/search/patches.h"
 #include "tests/bench/stopwatch.h"
 

@@ -10,12 +10,12 @@
 #include <random>
 #include <vector>
 
-#include "cloth/frame/advance/survey.h"
-#include "cloth/frame/cloth.h"
-#include "cloth/frame/simulation.h"
-#include "cloth/solvers/make_system.h"
-#include "cloth/system/implicit_system.h"
-#include "cloth/system/springs/membrane.h"
+#include "cloth/equation/implicit_system.h"
+#include "cloth/fabric/membrane.h"
+#include "cloth/instance/cloth.h"
+#include "cloth/motion/survey.h"
+#include "cloth/simulation/simulation.h"
+#include "cloth/solver/make_system.h"
 #include "weft/weft.h"
 
 namespace weft::test {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "collision/colliders/collider_contacts.h"
+#include "collision/thin/collide.h"
 
 namespace weft::test {
 

@@ -1,6 +1,6 @@
 // weft_replay, as people run it, on what scenes leave that are run with Overrides::record.
 
-#include "cloth/frame/record/record_format.h"
+#include "cloth/record/record_format.h"
 #include "demo/scene_simulation.h"
 #include "tests/demo/program_test.h"
 

@@ -4,7 +4,7 @@
 #include <exception>
 #include <tuple>
 
-#include "cloth/frame/worn/rigid_motion.h"
+#include "cloth/motion/rigid_motion.h"
 #include "tests/fuzz/cooked.h"
 #include "tests/fuzz/player.h"
 #include "tests/fuzz/recording.h"

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string>
 
-#include "cloth/frame/record/record_format.h"
+#include "cloth/record/record_format.h"
 #include "tests/fuzz/play.h"
 #include "tests/fuzz/recording_seal.h"
 

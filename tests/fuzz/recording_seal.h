@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cloth/frame/record/record_format.h"
+#include "cloth/record/record_format.h"
 
 namespace weft::fuzz {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "render/matrices.h"
+#include "render/view/matrices.h"
 
 namespace weft::render {
 namespace {

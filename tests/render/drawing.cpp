@@ -6,7 +6,7 @@
 #include <climits>
 #include <Eigen/Geometry>
 
-#include "render/matrices.h"
+#include "render/view/matrices.h"
 #include "tests/render/gl_objects.h"
 
 namespace weft::render {

@@ -1,4 +1,4 @@
-#include "render/light_frame.h"
+#include "render/view/light_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/simulation/simulation.h"
 
 namespace weft::study {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "cloth/mesh/topology.h"
+#include "cloth/mesh/topology/topology.h"
 #include "engine/memory/without_exceptions.h"
 #include "weft/cutting.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cloth/mesh/cutting/check_positions.h"
-#include "cloth/mesh/topology.h"
+#include "cloth/mesh/topology/topology.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/vector.h"
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cloth/mesh/obj/obj_parser.h"
-#include "cloth/mesh/topology.h"
+#include "cloth/mesh/topology/topology.h"
 #include "engine/memory/without_exceptions.h"
 #include "weft/mesh.h"
 

@@ -13,7 +13,7 @@
 
 #include "cloth/mesh/mesh_limits.h"
 #include "cloth/mesh/obj/corner_tree.h"
-#include "collision/contact/crossings/volume_sign.h"
+#include "collision/geometry/volume_sign.h"
 #include "engine/vector.h"
 
 namespace weft {

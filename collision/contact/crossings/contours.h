@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/contact/crossings/crossings.h"
+#include "collision/contact/pairs/crossings.h"
 #include "collision/contact/pairs/pair_finder.h"
 #include "engine/memory/scratch.h"
 

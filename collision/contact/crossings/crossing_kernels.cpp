@@ -3,16 +3,16 @@
 #include <bit>
 #include <utility>
 
-#include "collision/contact/crossings/volume_sign.h"
 #include "collision/contact/pairs/pair_kernels.h"
+#include "collision/geometry/volume_sign.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "collision/contact/crossings/crossing_kernels.cpp"
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/contact/pairs/closest-inl.h"
 #include "collision/contact/pairs/near_slots-inl.h"
+#include "collision/geometry/closest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "collision/contact/crossings/contours.h"
-#include "collision/contact/crossings/crossings.h"
 #include "collision/contact/crossings/side_vote.h"
 #include "collision/contact/crossings/untangling.h"
+#include "collision/contact/pairs/crossings.h"
 #include "collision/contact/pairs/pairs.h"
 #include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "collision/contact/crossings/contours.h"
-#include "collision/contact/crossings/crossings.h"
+#include "collision/contact/pairs/crossings.h"
 #include "engine/memory/scratch.h"
 #include "engine/vector.h"
 

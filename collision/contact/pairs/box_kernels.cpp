@@ -11,8 +11,8 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
-#include "collision/contact/pairs/closest-inl.h"
 #include "collision/contact/pairs/near_slots-inl.h"
+#include "collision/geometry/closest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

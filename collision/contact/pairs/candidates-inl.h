@@ -1,14 +1,14 @@
 // Pairs of features that are looked at closely, many at a time. Included as engine/simd/lanes-inl.h is.
 
-#if defined(WEFT_COLLISION_CONTACT_CANDIDATES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef WEFT_COLLISION_CONTACT_CANDIDATES_INL_H
-#undef WEFT_COLLISION_CONTACT_CANDIDATES_INL_H
+#if defined(WEFT_COLLISION_CONTACT_PAIRS_CANDIDATES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_CONTACT_PAIRS_CANDIDATES_INL_H
+#undef WEFT_COLLISION_CONTACT_PAIRS_CANDIDATES_INL_H
 #else
-#define WEFT_COLLISION_CONTACT_CANDIDATES_INL_H
+#define WEFT_COLLISION_CONTACT_PAIRS_CANDIDATES_INL_H
 #endif
 
-#include "collision/contact/pairs/closest-inl.h"
 #include "collision/contact/pairs/near_slots-inl.h"
+#include "collision/geometry/closest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

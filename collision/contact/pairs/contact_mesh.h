@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/contact/response/flat_rest.h"
+#include "collision/contact/pairs/flat_rest.h"
 #include "engine/memory/shared_buffer.h"
 #include "weft/types.h"
 

@@ -1,10 +1,10 @@
 // The features of a patch that are near another patch, side by side. Included as engine/simd/lanes-inl.h is.
 
-#if defined(WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H
-#undef WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H
+#if defined(WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H
+#undef WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H
 #else
-#define WEFT_COLLISION_CONTACT_NEAR_SLOTS_INL_H
+#define WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H
 #endif
 
 #include <bit>

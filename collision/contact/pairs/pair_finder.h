@@ -5,8 +5,8 @@
 #include <ranges>
 #include <span>
 
-#include "collision/contact/crossings/crossings.h"
 #include "collision/contact/pairs/contact_mesh.h"
+#include "collision/contact/pairs/crossings.h"
 #include "collision/contact/pairs/pair_kernels.h"
 #include "collision/contact/pairs/pairs.h"
 #include "engine/memory/scratch.h"

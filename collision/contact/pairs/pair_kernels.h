@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/contact/crossings/crossings.h"
 #include "collision/contact/pairs/contact_mesh.h"
+#include "collision/contact/pairs/crossings.h"
 #include "collision/contact/pairs/list_fill.h"
 #include "collision/contact/pairs/pairs.h"
 #include "collision/search/patch_kernels.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "cloth/system/springs/membrane.h"
+#include "cloth/fabric/membrane.h"
 
 namespace weft::study {
 

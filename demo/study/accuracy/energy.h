@@ -1,7 +1,7 @@
 #pragma once
 // The energy of a cloth of springs, in double precision.
 
-#include "cloth/frame/cloth.h"
+#include "cloth/instance/cloth.h"
 
 namespace weft::study {
 

@@ -1,6 +1,6 @@
 #include "demo/study/accuracy/garment_steps.h"
 
-#include "cloth/system/step_equation.h"
+#include "cloth/equation/step_equation.h"
 
 namespace weft::study {
 

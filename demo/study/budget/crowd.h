@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "cloth/frame/simulation.h"
+#include "cloth/simulation/simulation.h"
 
 namespace weft::study {
 

@@ -5,7 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <functional>
 
-#include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/solver/levels/multigrid.h"
 #include "demo/study/reference/block_matrix.h"
 
 namespace weft::study {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/system/springs/membrane.h"
+#include "cloth/fabric/membrane.h"
 #include "demo/study/stability/stiffest_modes.h"
 #include "demo/study/study_options.h"
 
@@ -65,7 +65,7 @@ WEFT_STUDY_WIDEST void spring_forces(const SpringLoop& loop, std::uint32_t first
     }
 }
 
-/// The force of cloth/surface/wind.cpp in double precision, without its slope.
+/// The force of cloth/air/wind.cpp in double precision, without its slope.
 Vector plate_force(const Vector& u, const Vector& area_normal, const Wind& wind) {
     const double speed = u.norm(), area = area_normal.norm();
     if (speed < 1e-6 || area < 1e-12) return Vector::Zero();

@@ -1,5 +1,5 @@
 #include "demo/study/reference/newton.h"
-#include "cloth/solvers/make_system.h"
+#include "cloth/solver/make_system.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "cloth/solvers/multigrid/multilevel.h"
-#include "cloth/solvers/solver.h"
+#include "cloth/solver/passes/multilevel.h"
+#include "cloth/solver/solver.h"
 #include "demo/study/reference/exact_solve.h"
 #include "demo/study/reference/step_functional.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cloth/system/springs/membrane.h"
+#include "cloth/fabric/membrane.h"
 #include "engine/separating_direction.h"
 
 namespace weft::study {

@@ -14,8 +14,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "cloth/equation/step_equation.h"
 #include "cloth/mesh/cook.h"
-#include "cloth/system/step_equation.h"
 #include "demo/study/reference/block_matrix.h"
 
 namespace weft::study {

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "cloth/solvers/linear/linear_solver.h"
+#include "cloth/methods/linear/linear_solver.h"
 #include "demo/study/reference/exact_solve.h"
 
 namespace weft::study {

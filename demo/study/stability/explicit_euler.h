@@ -1,7 +1,7 @@
 #pragma once
 // The textbook's first integrator, which nobody should ship: for the stability maps only.
 
-#include "cloth/solvers/explicit/symplectic_euler.h"
+#include "cloth/methods/explicit/symplectic_euler.h"
 
 namespace weft::study {
 

@@ -1,6 +1,6 @@
 #include "demo/study/stability/stability_points.h"
 
-#include "cloth/solvers/linear/chebyshev.h"
+#include "cloth/methods/linear/chebyshev.h"
 #include "demo/study/stability/cholesky.h"
 #include "demo/study/stability/explicit_euler.h"
 #include "demo/study/stability/stiffest_modes.h"

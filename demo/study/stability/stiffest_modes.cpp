@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "cloth/solvers/make_system.h"
-#include "cloth/system/implicit_system.h"
+#include "cloth/equation/implicit_system.h"
+#include "cloth/solver/make_system.h"
 
 namespace weft::study {
 

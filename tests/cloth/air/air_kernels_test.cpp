@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <random>
 
-#include "cloth/surface/gusts.h"
-#include "cloth/surface/surface.h"
+#include "cloth/air/gusts.h"
+#include "cloth/air/surface.h"
 #include "hwy/targets.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/material/plate_force.h"

@@ -1,6 +1,6 @@
 // Fans, blasts and balls that pass, by what each keeps.
 
-#include "cloth/surface/air_sources.h"
+#include "cloth/air/air_sources.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // Gusts at one point, as the noise is defined: the reference of the kernel.
 
-#include "cloth/surface/gusts.h"
+#include "cloth/air/gusts.h"
 
 namespace weft::test {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <span>
 
-#include "cloth/solvers/make_system.h"
-#include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/solver/levels/multigrid.h"
+#include "cloth/solver/make_system.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 

@@ -1,12 +1,12 @@
 // Air forces against flat-plate formulas, and the gusts' statistics.
 
-#include "cloth/surface/wind.h"
+#include "cloth/air/wind.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "cloth/surface/gusts.h"
+#include "cloth/air/gusts.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/material/plate_force.h"
 

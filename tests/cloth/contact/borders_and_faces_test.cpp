@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cloth/frame/contact/feature_contact.h"
+#include "cloth/contact/feature_contact.h"
 #include "tests/laid_out.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 // Which cloths may touch, against brute force.
 
-#include "cloth/frame/contact/group_finder.h"
+#include "cloth/contact/group_finder.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "cloth/frame/cloth.h"
-#include "cloth/frame/group.h"
+#include "cloth/instance/cloth.h"
+#include "cloth/instance/group.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/must.h"
 #include "weft/weft.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "cloth/frame/contact/feature_contact.h"
+#include "cloth/contact/feature_contact.h"
 #include "crossing_count.h"
 
 #include "tests/laid_out.h"

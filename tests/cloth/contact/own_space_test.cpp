@@ -10,9 +10,9 @@
 #include <random>
 #include <set>
 
-#include "cloth/frame/contact/contact_step.h"
-#include "cloth/frame/contact/own_space.h"
-#include "cloth/frame/sleep.h"
+#include "cloth/contact/own_space.h"
+#include "cloth/stages/contact_step.h"
+#include "cloth/stages/sleep.h"
 #include "crossing_count.h"
 #include "engine/bounds.h"
 #include "tests/cloth/fixtures.h"

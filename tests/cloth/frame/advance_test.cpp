@@ -1,14 +1,14 @@
 // The ends of substeps, what BDF2 remembers of them and the survey, on every kind of vector that this machine
 // has, against one particle at a time.
 
-#include "cloth/frame/advance/advance.h"
+#include "cloth/motion/advance.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <random>
 
-#include "cloth/frame/advance/survey.h"
+#include "cloth/motion/survey.h"
 #include "hwy/targets.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/laid_out.h"

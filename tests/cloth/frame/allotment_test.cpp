@@ -1,6 +1,6 @@
 // Time shared out among cloths, and what is learnt of their costs.
 
-#include "cloth/frame/budget/allotment.h"
+#include "cloth/budget/allotment.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "cloth/frame/budget/budgeted.h"
+#include "cloth/budget/budgeted.h"
 
 namespace weft::test {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "cloth/frame/settings/validate.h"
-#include "cloth/frame/simulation.h"
+#include "cloth/settings/validate.h"
+#include "cloth/simulation/simulation.h"
 #include "tests/cloth/fixtures.h"
 #include "weft/weft.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/frame/save/save_format.h"
+#include "cloth/store/save_format.h"
 #include "engine/state_hash.h"
 #include "tests/collision/colliders/solids.h"
 #include "weft/weft.h"

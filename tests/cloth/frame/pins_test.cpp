@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "cloth/solvers/linear/conjugate_gradient.h"
-#include "cloth/solvers/make_system.h"
-#include "cloth/solvers/multigrid/levels.h"
+#include "cloth/methods/linear/conjugate_gradient.h"
+#include "cloth/solver/levels/levels.h"
+#include "cloth/solver/make_system.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "tests/cloth/system/dense_algebra.h"

@@ -1,6 +1,6 @@
 // Many cloths: which run side by side, and that none of it shows in the results.
 
-#include "cloth/frame/advance/schedule.h"
+#include "cloth/simulation/schedule.h"
 
 #include <gtest/gtest.h>
 

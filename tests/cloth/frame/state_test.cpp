@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cloth/frame/advance/survey.h"
+#include "cloth/motion/survey.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 

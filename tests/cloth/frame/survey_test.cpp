@@ -1,4 +1,4 @@
-#include "cloth/frame/advance/survey.h"
+#include "cloth/motion/survey.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@ struct PlateForce {
     float slope;    ///< [N s/m], at least the force's largest rate of change with the plate's velocity
 };
 
-/// `area_normal`: normal times area [m^2], of either sign. See cloth/surface/wind.cpp.
+/// `area_normal`: normal times area [m^2], of either sign. See cloth/air/wind.cpp.
 inline PlateForce plate_force(const Vector3& u, const Vector3& area_normal, const Wind& wind) {
     const float speed = u.norm();
     const float area = area_normal.norm();

@@ -1,9 +1,9 @@
 // Spring forces and their derivatives against energies and finite differences, and the assembled system
 // against both.
 
-#include "cloth/system/springs/springs.h"
-#include "cloth/solvers/make_system.h"
-#include "cloth/system/springs/membrane.h"
+#include "cloth/fabric/springs.h"
+#include "cloth/fabric/membrane.h"
+#include "cloth/solver/make_system.h"
 
 #include <gtest/gtest.h>
 

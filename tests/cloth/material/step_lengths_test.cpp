@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "cloth/frame/advance/history.h"
+#include "cloth/motion/history.h"
 #include "weft/weft.h"
 
 namespace weft::test {

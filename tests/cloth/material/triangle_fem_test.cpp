@@ -11,7 +11,7 @@
 
 #include "hwy/highway.h"
 
-#include "cloth/system/triangles/triangle_fem-inl.h"
+#include "cloth/methods/finite_elements/triangle_fem-inl.h"
 #include "tests/cloth/system/dense_algebra.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 // The order of particles in memory: a permutation that changes where things lie and nothing else.
 
-#include "cloth/mesh/ordering.h"
+#include "cloth/mesh/cooking/ordering.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "cloth/equation/sparse/stencil.h"
 #include "cloth/mesh/cook.h"
-#include "cloth/system/sparse/stencil.h"
 #include "engine/vector.h"
 #include "tests/cloth/meshes.h"
 #include "weft/weft.h"

@@ -1,4 +1,4 @@
-#include "cloth/mesh/topology.h"
+#include "cloth/mesh/topology/topology.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Data per vertex on its way to particles: seams, checks, and maps that are not given.
 
-#include "cloth/mesh/vertex_maps.h"
+#include "cloth/mesh/cooking/vertex_maps.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cloth/frame/record/record_format.h"
+#include "cloth/record/record_format.h"
 #include "weft/weft.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 // Chebyshev's iteration: its error against theory, its interval, and where it fails.
 
-#include "cloth/solvers/linear/chebyshev.h"
+#include "cloth/methods/linear/chebyshev.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Colours and fibres: the invariants on which solving in parallel rests, on every mesh.
 
-#include "cloth/solvers/positional/colouring.h"
+#include "cloth/methods/positional/colouring.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <set>
 
-#include "cloth/solvers/positional/fibre_sets.h"
+#include "cloth/methods/positional/fibre_sets.h"
 #include "tests/cloth/meshes.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 // Conjugate gradients: exactness, optimality, and where they end.
 
-#include "cloth/solvers/linear/conjugate_gradient.h"
+#include "cloth/methods/linear/conjugate_gradient.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "cloth/solvers/linear/chebyshev.h"
+#include "cloth/methods/linear/chebyshev.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "tests/cloth/system/dense_algebra.h"

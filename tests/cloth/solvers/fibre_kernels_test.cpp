@@ -1,6 +1,6 @@
 // The set solvers against plain references in double precision.
 
-#include "cloth/solvers/positional/fibre_kernels.h"
+#include "cloth/methods/positional/fibre_kernels.h"
 
 #include <gtest/gtest.h>
 

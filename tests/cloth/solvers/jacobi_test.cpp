@@ -1,6 +1,6 @@
 // Kang's solver against dense solves, and its error against theory.
 
-#include "cloth/solvers/linear/jacobi.h"
+#include "cloth/methods/linear/jacobi.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Levels, Galerkin operators and the cycle against dense algebra.
 
-#include "cloth/solvers/multigrid/multigrid.h"
+#include "cloth/solver/levels/multigrid.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "cloth/solvers/linear/conjugate_gradient.h"
-#include "cloth/system/sparse/vectors.h"
+#include "cloth/equation/sparse/vectors.h"
+#include "cloth/methods/linear/conjugate_gradient.h"
 #include "tests/cloth/air/waving.h"
 #include "tests/cloth/system/dense_algebra.h"
 #include "tests/laid_out.h"

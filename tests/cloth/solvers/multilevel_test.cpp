@@ -1,6 +1,6 @@
 // The multilevel solver against dense algebra and its own promises.
 
-#include "cloth/solvers/multigrid/multilevel.h"
+#include "cloth/solver/passes/multilevel.h"
 
 #include <gtest/gtest.h>
 

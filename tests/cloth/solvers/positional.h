@@ -1,8 +1,8 @@
 #pragma once
 // One step of a positional method on one cloth.
 
-#include "cloth/frame/make_solver.h"
-#include "cloth/solvers/stages.h"
+#include "cloth/instance/make_solver.h"
+#include "cloth/solver/stages.h"
 #include "engine/profiling/profiler.h"
 #include "tests/cloth/fixtures.h"
 

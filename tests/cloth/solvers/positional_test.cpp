@@ -1,7 +1,7 @@
 // What holds for every positional method: what it converges to, what it keeps, and what it survives.
 
-#include "cloth/solvers/make_system.h"
-#include "cloth/solvers/positional/xpbd.h"
+#include "cloth/methods/positional/xpbd.h"
+#include "cloth/solver/make_system.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <limits>
 #include <string>
 
-#include "cloth/frame/make_solver.h"
-#include "cloth/solvers/step_residual.h"
+#include "cloth/instance/make_solver.h"
+#include "cloth/solver/step_residual.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 

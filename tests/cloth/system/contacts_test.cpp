@@ -7,11 +7,11 @@
 #include <cmath>
 #include <vector>
 
-#include "cloth/solvers/linear/jacobi.h"
-#include "cloth/solvers/linear/mean_motion.h"
-#include "cloth/solvers/make_system.h"
-#include "cloth/solvers/multigrid/multigrid.h"
-#include "cloth/system/contacts.h"
+#include "cloth/equation/contacts.h"
+#include "cloth/methods/linear/jacobi.h"
+#include "cloth/methods/linear/mean_motion.h"
+#include "cloth/solver/levels/multigrid.h"
+#include "cloth/solver/make_system.h"
 #include "dense_algebra.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"

@@ -1,7 +1,7 @@
 // Loops over a grid's rows, however they are cut into tiles. What they give is tested with those of other
 // meshes.
 
-#include "cloth/system/grid/grid_windows.h"
+#include "cloth/equation/grid/grid_windows.h"
 
 #include <gtest/gtest.h>
 

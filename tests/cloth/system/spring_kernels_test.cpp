@@ -8,8 +8,8 @@
 #include <functional>
 #include <random>
 
-#include "cloth/system/springs/spring_system.h"
-#include "cloth/system/springs/springs.h"
+#include "cloth/fabric/spring_system.h"
+#include "cloth/fabric/springs.h"
 #include "engine/simd/symmetric3.h"
 #include "hwy/targets.h"
 #include "spring_scene.h"

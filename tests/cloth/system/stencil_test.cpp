@@ -1,6 +1,6 @@
 // Sliced rows against the compressed ones that they are made from.
 
-#include "cloth/system/sparse/stencil.h"
+#include "cloth/equation/sparse/stencil.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Finite elements as the linear system of a step: what W must be, what converged strips must show.
 
-#include "cloth/system/triangles/triangle_system.h"
+#include "cloth/methods/finite_elements/triangle_system.h"
 #include "cloth/mesh/rest/bending.h"
-#include "cloth/solvers/make_system.h"
-#include "cloth/system/triangles/hinge_elements.h"
+#include "cloth/methods/finite_elements/hinge_elements.h"
+#include "cloth/solver/make_system.h"
 
 #include <gtest/gtest.h>
 

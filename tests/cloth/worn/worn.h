@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "cloth/frame/worn/rigid_motion.h"
+#include "cloth/motion/rigid_motion.h"
 #include "tests/cloth/fixtures.h"
 #include "weft/weft.h"
 

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <random>
 
-#include "collision/colliders/collider_contacts.h"
 #include "collision/colliders/collider_kernels.h"
 #include "collision/shapes/moving_shapes.h"
+#include "collision/thin/collide.h"
 #include "collision/thin/first_approach.h"
 #include "collision/thin/yielding.h"
 #include "tests/collision/particle_cloud.h"

@@ -1,6 +1,6 @@
 // How colliders push particles, and rub.
 
-#include "collision/colliders/collider_contacts.h"
+#include "collision/thin/collide.h"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "collision/thin/collide.h"
 #include "engine/vector.h"
 #include "tests/collision/particle_cloud.h"
 

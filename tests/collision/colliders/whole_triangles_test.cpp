@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "collision/thin/collide.h"
 #include "collision/thin/cores.h"
 #include "collision/thin/first_approach.h"
 #include "collision/thin/whole_triangles.h"

@@ -1,4 +1,4 @@
-#include "collision/contact/crossings/crossings.h"
+#include "collision/contact/pairs/crossings.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "collision/contact/crossings/volume_sign.h"
 #include "collision/contact/pairs/pair_finder.h"
+#include "collision/geometry/volume_sign.h"
 #include "tests/collision/contact/contact_reference.h"
 #include "tests/collision/contact/cuts.h"
 #include "tests/laid_out.h"

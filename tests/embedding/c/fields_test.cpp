@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cloth/c/convert.h"
-#include "cloth/frame/settings/fields.h"
+#include "cloth/settings/fields.h"
 
 namespace weft::c {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cloth/c/handles.h"
-#include "cloth/frame/record/record_format.h"
+#include "cloth/record/record_format.h"
 
 namespace weft::test {
 namespace {

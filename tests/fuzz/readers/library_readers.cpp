@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "cloth/frame/save/save_format.h"
+#include "cloth/store/save_format.h"
 #include "engine/state_hash.h"
 #include "tests/cooked_seal.h"
 #include "tests/fuzz/readers/mutation.h"

@@ -1,0 +1,44 @@
+#include "cloth/air/surface.h"
+
+#include <utility>
+
+#include "cloth/air/wind.h"
+#include "cloth/surface/normals.h"
+
+namespace weft {
+
+Surface::Surface(const ClothModel& model) : cells_(model) {
+    if (!cells_.empty()) return;
+    groups_ = TriangleGroups(model);
+    rows_ = AlignedBuffer<Vec4>(groups_.rows);
+}
+
+Surface::Surface(const ClothModel& model, TriangleGroups&& saved) : cells_(model) {
+    if (!cells_.empty()) return;
+    groups_ = std::move(saved);
+    rows_ = AlignedBuffer<Vec4>(groups_.rows, unmade);
+}
+
+void Surface::compute_normals(Parallel& parallel, std::span<const Vec4> positions, std::span<Vec4> normals) {
+    if (!cells_.empty()) {
+        weft::compute_normals(parallel, cells_, positions, normals);
+        return;
+    }
+    compute_area_normals(parallel, groups_, positions, rows_.span());
+    is_behind_ = false;
+    weft::compute_normals(parallel, groups_, rows_.span(), normals);
+}
+
+void Surface::compute_air_forces(Parallel& parallel, const InAir& cloth, std::span<Vec4> forces) {
+    if (!cells_.empty()) {
+        weft::compute_air_forces(parallel, cells_, cloth.positions, cloth.velocities, cloth.wind,
+                                 cloth.air_velocities, forces);
+        return;
+    }
+    if (cloth.has_moved || is_behind_) compute_area_normals(parallel, groups_, cloth.positions, rows_.span());
+    is_behind_ = false;
+    weft::compute_air_forces(parallel, groups_, cloth.velocities, cloth.wind, cloth.air_velocities,
+                             rows_.span(), forces);
+}
+
+}  // namespace weft

@@ -1,0 +1,139 @@
+#include "cloth/air/wind.h"
+
+#include <array>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cloth/air/wind.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "cloth/surface/grid_cells-inl.h"
+#include "cloth/surface/triangle_groups-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+HWY_INLINE PackedRows sum_over_corners(const TriangleGroups& groups, std::uint32_t t, const Vec4* rows) {
+    return corner_rows(groups, t, 0, rows) + corner_rows(groups, t, 1, rows) +
+           corner_rows(groups, t, 2, rows);
+}
+
+/// The air's velocity minus the triangles', thrice [m/s].
+HWY_INLINE Lanes3 relative_velocities(const TriangleGroups& groups, std::uint32_t t, const Vec4* velocities,
+                                      const Lanes3& mean_wind, std::span<const Vec4> air_velocities) {
+    const PackedRows sum = sum_over_corners(groups, t, velocities);
+    if (air_velocities.empty()) return set(3) * mean_wind - unpacked(sum);
+    return unpacked(sum_over_corners(groups, t, air_velocities.data()) - sum);
+}
+
+// With u the relative velocity, n the normal on the side to which the air streams and c = u.n / |u| >= 0:
+//   drag  = 1/2 rho A c |u| Cd u               along the stream, by the area that faces it
+//   lift  = 1/2 rho A c |u| Cl (|u| n - c u)   across it, greatest at 45 degrees, none head-on or edge-on
+// (the flat-plate model of Keckeisen et al. 2004, "Modelling effects of wind fields in cloth animations",
+// with lift that vanishes edge-on, so that the force is continuous where the side that faces the wind
+// changes). With N = 2 A n:
+//   c = |u.N| / (|u| |N|),   |u| n = sign(u.N) |u|^2 / (|u| |N|) N
+// Here 3 u, the sum over the corners, stands for u.
+struct AirOnPlates {
+    explicit AirOnPlates(const Wind& wind)
+        : drag(wind.drag),
+          lift(wind.lift),
+          to_pressure(wind.air_density / 12 / 9),  // of a third of the triangle, by 2 A and twice 3 u
+          to_slope(wind.air_density / 6 / 3 * (wind.drag + wind.lift)) {}
+
+    /// A third of the force on triangles, w its slope.
+    HWY_INLINE Lanes4 thirds(const Lanes3& normal, const Lanes3& u) const {
+        const Lanes through = dot(u, normal), squared_speed = dot(u, u);
+        const Lanes squared = hn::Mul(squared_speed, dot(normal, normal));
+        const Lanes product = hn::Sqrt(squared);  // |u| |N|
+        const Lanes lift_per_product =
+            hn::IfThenElseZero(hn::Gt(squared, set(1e-36f)), hn::Div(set(lift), product));
+        const Lanes pressure = hn::Mul(set(to_pressure), hn::Abs(through));
+        const Lanes along = hn::NegMulAdd(lift_per_product, hn::Abs(through), set(drag));
+        const Lanes across = hn::CopySignToAbs(hn::Mul(lift_per_product, squared_speed), through);
+        const Lanes3 force = pressure * mul_add(across, normal, along * u);
+        return {force.x, force.y, force.z, hn::Mul(set(to_slope), product)};
+    }
+
+    float drag, lift, to_pressure, to_slope;
+};
+
+void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const Wind& wind,
+                   const Vec4* velocities, std::span<const Vec4> air_velocities, Vec4* triangle_rows) {
+    const AirOnPlates air(wind);
+    const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
+    for (std::uint32_t t = range.begin; t < range.end; t += part_lanes) {
+        const Lanes3 normal = unpacked(load_packed(triangle_rows + t));
+        const Lanes4 force =
+            air.thirds(normal, relative_velocities(groups, t, velocities, mean_wind, air_velocities));
+        store_packed(packed(xyz(force), force.w), triangle_rows + t);
+    }
+}
+
+void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const GridWindow& window,
+                        const Wind& wind, const Vec4* positions, const Vec4* velocities,
+                        std::span<const Vec4> air_velocities, Vec4* forces) {
+    const AirOnPlates air(wind);
+    const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
+    CellLoop<2, 4> loop(cells, tile, window);
+    for (std::uint32_t i = loop.first(); i < tile.end; i += part_lanes, loop.go_on()) {
+        loop.read_ahead([&](std::uint32_t j) HWY_ATTR {
+            const Lanes3 streams =
+                air_velocities.empty() ? mean_wind : xyz(load_rows(air_velocities.data() + j));
+            return std::array<Lanes3, 2>{xyz(load_rows(positions + j)),
+                                         streams - xyz(load_rows(velocities + j))};
+        });
+        const CellLanes cell(cells, i);
+        const Corners u = loop.corners(1);
+        const auto [left_normal, right_normal] = cell.area_normals(loop.corners(0));
+        const Lanes4 left = air.thirds(left_normal, u.first + u.far_left + cell.third_of_left(u));
+        const Lanes4 right = air.thirds(right_normal, u.far_right + u.near_right + cell.third_of_right(u));
+        const auto [x, y, z, slope] = loop.sums({cell.shares(left.x, right.x), cell.shares(left.y, right.y),
+                                                 cell.shares(left.z, right.z), cell.shares(left.w, right.w)});
+        if (i >= tile.begin) store_rows({x, y, z}, slope, forces + i);
+    }
+}
+
+void sums_of(const TriangleGroups& groups, const BlockRange& range, const Vec4* triangle_rows,
+             Vec4* particle_rows) {
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes)
+        store_packed(sum_over_triangles(groups, i, triangle_rows), particle_rows + i);
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE  // what does not depend on the machine
+namespace weft {
+
+HWY_EXPORT(air_forces_of);
+HWY_EXPORT(air_forces_of_grid);
+HWY_EXPORT(sums_of);
+
+void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> velocities,
+                        const Wind& wind, std::span<const Vec4> air_velocities, std::span<Vec4> triangle_rows,
+                        std::span<Vec4> particle_forces) {
+    parallel.ranges(groups.rows, [&](const BlockRange& range) {
+        HWY_DYNAMIC_DISPATCH(air_forces_of)
+        (groups, range, wind, velocities.data(), air_velocities, triangle_rows.data());
+    });
+    parallel.ranges(groups.particles, [&](const BlockRange& range) {
+        HWY_DYNAMIC_DISPATCH(sums_of)(groups, range, triangle_rows.data(), particle_forces.data());
+    });
+}
+
+void compute_air_forces(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
+                        std::span<const Vec4> velocities, const Wind& wind,
+                        std::span<const Vec4> air_velocities, std::span<Vec4> particle_forces) {
+    in_tiles(parallel, cells.diagonals.nodes, cells.windows(),
+             [&](const BlockRange& tile, const GridWindow& window) {
+                 HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
+                 (cells, tile, window, wind, positions.data(), velocities.data(), air_velocities,
+                  particle_forces.data());
+             });
+}
+
+}  // namespace weft
+#endif

@@ -1,0 +1,290 @@
+#include "cloth/contact/feature_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace weft {
+
+namespace {
+
+// Features that start nearer than the radius are pushed out by this part of what is missing, and not at once:
+// the way out becomes speed, with which they would bounce.
+constexpr float parted_in_a_step = 0.2f;
+
+// Room for crossings: one a particle, and at least so many.
+constexpr std::size_t least_crossings = 1024;
+
+std::size_t room_for_crossings(std::size_t particles) {
+    return std::max(least_crossings, particles);
+}
+
+bool is_within(const Vector3& point, const Bounds& box) {
+    const Vector3 lower = to_vector(box.lower), upper = to_vector(box.upper);
+    return (point.array() >= lower.array()).all() && (point.array() <= upper.array()).all();
+}
+
+/// The largest part of the way from the start, which is in the box, that ends in it.
+float part_within(const Bounds& box, const Vector3& start, const Vector3& way) {
+    const Vector3 lower = to_vector(box.lower), upper = to_vector(box.upper);
+    float part = 1;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const float end = start[k] + way[k];
+        if (end > upper[k]) part = std::min(part, (upper[k] - start[k]) / way[k]);
+        if (end < lower[k]) part = std::min(part, (lower[k] - start[k]) / way[k]);
+    }
+    return std::max(part, 0.0f);
+}
+
+}  // namespace
+
+void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones) {
+    cloths_ = bodies;
+    zones_ = zones;
+    uses_zones_ = std::ranges::all_of(bodies, &ContactCloth::by_zones);
+    std::size_t particles = 0;
+    for (const ContactCloth& body : bodies) particles += particles_of(*body.mesh);
+    const std::size_t pairs = room_for_pairs(particles), crossings = room_for_crossings(particles);
+    scratch.take(bodies_, bodies.size());
+    scratch.take(ranges_, bodies.size());
+    scratch.take(restitutions_, bodies.size());
+    for (auto* array : {&start_, &displacements_, &base_, &searched_}) scratch.take(*array, particles);
+    finder_.lay_out(scratch, bodies);
+    pairs_.lay_out(scratch, pairs);
+    narrowing_.lay_out(scratch, pairs);
+    crossings_.lay_out(scratch, crossings);
+    tangles_.lay_out(
+        scratch, {.bodies = bodies.size(), .particles = particles, .pairs = pairs, .crossings = crossings});
+    scratch.take(memory_, particles);
+    scratch.take(exempt_, pairs);
+    scratch.take(laws_, pairs);
+    scratch.take(wanted_, pairs);
+    scratch.take(nearest_faces_, particles);
+    const std::size_t blocks = block_count(static_cast<std::uint32_t>(particles)) + bodies.size();
+    scratch.take(partials_, blocks);
+    scratch.take(changes_, blocks);
+    scratch.take(marks_, particles);
+    scratch.take(colliding_, uses_zones_ ? pairs : 0);
+    rows_.lay_out_rows(scratch, particles, pairs);
+    settler_.lay_out_split(scratch, particles, bodies.size());
+    scratch.take_by_turns(
+        [&] {
+            rows_.lay_out_solve(scratch, particles, pairs);
+            rows_.untangling().lay_out(scratch, crossings);
+        },
+        [&] { settler_.lay_out_cut(scratch, particles, bodies.size(), pairs); });
+    if (scratch.has_memory()) number_bodies();
+}
+
+/// Numbers the bodies' particles, and puts the numbers between two bodies at 0, since kernels read them.
+void FeatureContact::number_bodies() {
+    std::uint32_t first = 0;
+    for (std::size_t k = 0; k < cloths_.size(); ++k) {
+        const ContactCloth& body = cloths_[k];
+        const std::uint32_t count = body.mesh->particles(), end = first + particles_of(*body.mesh);
+        bodies_[k] = {
+            .mesh = body.mesh, .first = first, .reach = body.radius, .layer = body.layer, .mask = body.mask};
+        ranges_[k] = {first, count};
+        restitutions_[k] = body.restitution;
+        for (auto* array : {&start_, &displacements_, &base_, &searched_})
+            std::ranges::fill(array->span().subspan(first + count, end - first - count), Vec4{});
+        first = end;
+    }
+}
+
+/// Clears what particles remember of tangles, unless some body has recalled its own.
+void FeatureContact::remember_nothing() {
+    if (!std::exchange(may_cross_, true)) std::ranges::fill(memory_.span(), TangleMemory{});
+}
+
+void FeatureContact::place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
+                           const ExpectedMotion& expected) {
+    const std::uint32_t first = bodies_[body].first;
+    h_ = expected.h;
+    is_pinned_ |= std::ranges::any_of(positions, [](const Vec4& x) { return x.w == 0; });
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            start_[first + i] = positions[i];
+            displacements_[first + i] = to_vec4(expected.h * xyz(expected.velocities[i]), 0);
+        }
+    });
+}
+
+void FeatureContact::recall(std::size_t body, std::span<const TangleMemory> memory) {
+    remember_nothing();
+    std::ranges::copy(memory, memory_.data() + bodies_[body].first);
+}
+
+std::span<const TangleMemory> FeatureContact::memory(std::size_t body) {
+    remember_nothing();
+    return memory_.span().subspan(bodies_[body].first, bodies_[body].mesh->particles());
+}
+
+void FeatureContact::find_tangles(Parallel& parallel) {
+    finder_.find_crossings(parallel, bodies_.span(), start_.span(), crossings_);
+    tangles_.find({bodies_.span(), start_.span(), pairs_, h_}, crossings_, memory_.span());
+}
+
+/// Which pairs of those found last are let alone; empty: none.
+std::span<const std::uint8_t> FeatureContact::find_exempt(Parallel& parallel) {
+    if (!tangles_.any()) return {};
+    tangles_.exempt(parallel, pairs_, exempt_.span());
+    return exempt_.span();
+}
+
+// A list's ends tell of most pairs, which are far along the cloth, that they are not in it.
+bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const {
+    const std::size_t body = bodies_.size() == 1 ? 0 : body_of(bodies_.span(), pair.corners[0]);
+    const std::uint32_t first = bodies_[body].first;
+    const RestFilter& near = cloths_[body].near_at_rest;
+    if (near.offsets.empty()) return false;
+    const std::span<const std::uint32_t> of_b = std::span(pair.corners).subspan(corners_of_a);
+    const auto [least, most] = std::ranges::minmax(of_b);
+    for (std::uint32_t a = 0; a < corners_of_a; ++a) {
+        const std::uint32_t i = pair.corners[a] - first, begin = near.offsets[i], end = near.offsets[i + 1];
+        if (begin == end || most - first < near.neighbours[begin] || least - first > near.neighbours[end - 1])
+            continue;
+        for (const std::uint32_t b : of_b)
+            if (near.leaves_alone(i, b - first)) return true;
+    }
+    return false;
+}
+
+// Where two edges are nearest at an end of one, a vertex and a triangle are as near there, and have the
+// force.
+void FeatureContact::make_laws(Parallel& parallel) {
+    const bool is_alone = bodies_.size() == 1;
+    const std::span<const std::uint8_t> exempt = find_exempt(parallel);
+    parallel.ranges(pairs_.size, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            const FeaturePair& pair = pairs_.pairs[k];
+            const bool is_at_border = pairs_.shapes[k].is_at_border();
+            const std::uint32_t of_a = pairs_.corners_of_a(k);
+            const std::size_t a = is_alone ? 0 : body_of(bodies_.span(), pair.corners[0]);
+            const std::size_t b = is_alone ? 0 : body_of(bodies_.span(), pair.corners[3]);
+            const bool is_left_alone = (of_a == 2 && is_at_border) || (!exempt.empty() && exempt[k] != 0) ||
+                                       !(pairs_.shapes[k].normal.w > 0) ||
+                                       (a == b && are_near_at_rest(pair, of_a));
+            const float radius =
+                0.5f * (cloths_[a].radius + cloths_[b].radius) * (is_at_border ? of_borders : 1);
+            const float gap = std::min(pairs_.shapes[k].normal.w, radius);
+            laws_[k] = {.radius = is_left_alone ? 0 : gap + parted_in_a_step * (radius - gap),
+                        .friction = a == b ? cloths_[a].friction
+                                           : std::sqrt(cloths_[a].friction * cloths_[b].friction)};
+            wanted_[k] = projected_gap * laws_[k].radius;
+        }
+    });
+    leave_borders_to_faces();
+}
+
+// Where layers are pressed together, a vertex is near the borders around the face that it is over, too. Along
+// these it would be pushed aside, and what lands would stop sliding.
+void FeatureContact::leave_borders_to_faces() {
+    constexpr std::uint32_t none = ~0u;
+    constexpr float leans = 0.95f;  // cosine of the angle between the two normals
+    const auto nearest_of = [&](std::uint32_t k) -> std::uint32_t& {
+        return nearest_faces_[pairs_.pairs[k].corners[0]];
+    };
+    const auto distance = [&](std::uint32_t k) {
+        Vector3 apart = Vector3::Zero();
+        for (std::uint32_t c = 0; c < 4; ++c)
+            apart += pairs_.shapes[k].weight(c) * xyz(start_[pairs_.pairs[k].corners[c]]);
+        return apart.norm();
+    };
+    const std::span<const PairShape> shapes = std::as_const(pairs_.shapes).span();
+    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) nearest_of(k) = none;
+    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) {
+        if (!(laws_[k].radius > 0) || shapes[k].is_at_border()) continue;
+        std::uint32_t& nearest = nearest_of(k);
+        if (nearest == none || shapes[k].normal.w < shapes[nearest].normal.w) nearest = k;
+    }
+    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) {
+        const std::uint32_t face = nearest_of(k);
+        if (face == none || !shapes[k].is_at_border()) continue;
+        const float along = xyz(shapes[face].normal).dot(xyz(shapes[k].normal));
+        if (along > 0 && along < leans && shapes[face].normal.w <= distance(k))
+            laws_[k].radius = wanted_[k] = 0;
+    }
+}
+
+void FeatureContact::set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions) {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(base_positions.size()), [&](const BlockRange& range) {
+        std::copy(base_positions.data() + range.begin, base_positions.data() + range.end,
+                  base_.data() + first + range.begin);
+    });
+}
+
+void FeatureContact::set_fixed_base(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {
+    set_base(parallel, body, positions);
+    const std::uint32_t first = bodies_[body].first;
+    for (std::size_t i = 0; i < positions.size(); ++i) base_[first + i].w = 0;
+}
+
+void FeatureContact::make_rows(Parallel& parallel, float gamma) {
+    rows_.untangling().begin(tangles_.rows(), base_.span(), gamma);
+    rows_.begin(parallel, pairs_, laws_.span(), base_.span(), gamma);
+}
+
+void FeatureContact::arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions) {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            displacements_[first + i] = to_vec4(xyz(positions[i]) - xyz(start_[first + i]), 0);
+    });
+}
+
+void FeatureContact::project(Parallel& parallel) {
+    near_ = {.pairs = pairs_.size, .tangles = tangles_.counts(), .overflowed = pairs_.overflowed};
+    const std::span<const std::uint8_t> exempt =
+        tangles_.any() ? std::as_const(exempt_).span() : std::span<const std::uint8_t>();
+    settler_.project(parallel, group(), pairs_, exempt, {.each = wanted_.span()}, projections,
+                     displacements_.span());
+}
+
+bool FeatureContact::leaves(Parallel& parallel, std::size_t body, const Bounds& box) {
+    const std::span<const Vec4> start = starts(body), way = displacements(body);
+    const auto find_block = [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            if (!is_within(xyz(start[i]) + xyz(way[i]), box)) return 1.0f;
+        return 0.0f;
+    };
+    return parallel.reduce(ranges_[body].count, partials_.span(), 0.0f, find_block,
+                           [](float a, float b) { return std::max(a, b); }) > 0;
+}
+
+void FeatureContact::keep_within(Parallel& parallel, std::size_t body, const Bounds& box) {
+    const std::span<const Vec4> start = starts(body);
+    const std::span<Vec4> way = displacements_.span().subspan(ranges_[body].first, ranges_[body].count);
+    parallel.ranges(ranges_[body].count, [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(way[i], part_within(box, xyz(start[i]), xyz(way[i])) * xyz(way[i]));
+    });
+}
+
+bool FeatureContact::crosses_anew(Parallel& parallel) {
+    if (may_cross_ || is_uncertain_) return false;
+    for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {  // the bases are of no more use
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(base_[i], xyz(start_[i]) + xyz(displacements_[i]));
+    });
+    finder_.find_crossings(parallel, bodies_.span(), base_.span(), crossings_);
+    return crossings_.size > 0;
+}
+
+void FeatureContact::hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
+                               std::span<Vec4> velocities) const {
+    const std::uint32_t first = bodies_[body].first;
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 wanted = xyz(positions[i]) - xyz(start_[first + i]);
+            const Vector3 change = xyz(displacements_[first + i]) - wanted;
+            if (change.isZero(0)) continue;
+            set_xyz(positions[i], xyz(start_[first + i]) + xyz(displacements_[first + i]));
+            set_xyz(velocities[i], xyz(velocities[i]) + change / h);
+        }
+    });
+}
+
+}  // namespace weft

@@ -1,0 +1,210 @@
+#pragma once
+// Pairs of near features as forces in the implicit step: of one cloth with itself, and of cloths with one
+// another.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "cloth/equation/pair_row_kernels.h"
+#include "cloth/equation/untangling_rows.h"
+#include "collision/contact/pairs/incidence.h"
+#include "collision/contact/pairs/pairs.h"
+#include "engine/memory/scratch.h"
+#include "engine/simd/symmetric3.h"
+#include "engine/threads/parallel_blocks.h"
+#include "engine/vector.h"
+
+namespace weft {
+
+/// Each pair's features push each other apart along the normal that detection gave them, by a stiff spring
+/// that ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987), and hold each
+/// other across it by a damper that has Coulomb's limit as it is known so far. Over the first part of its way
+/// the spring stiffens from nothing, or what rests would touch and let go by turns. The impulse on corner i
+/// of pair k is
+///     b_i (c_k - K_k sum_j b_j v_j),   K_k = spring n n^T + damper (I - n n^T) [kg]
+/// so that what corners get adds up to 0. Corners, and all spans, are numbered through all bodies.
+class PairRows {
+  public:
+    /// For so many particles of all bodies together, and so many pairs; untangling() besides.
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+        lay_out_rows(scratch, particles, pairs);
+        lay_out_solve(scratch, particles, pairs);
+    }
+    /// The same in two: the rows, and what nobody needs after the solve.
+    void lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs);
+    void lay_out_solve(Scratch& scratch, std::size_t particles, std::size_t pairs);
+
+    /// A substep begins, whose equation has these bases and this gamma. What is given must outlive it. Pairs
+    /// without a radius have no row, and cost nothing from here on.
+    void begin(Parallel& parallel, const PairList& list, std::span<const PairLaw> laws,
+               std::span<const Vec4> base_positions, float gamma);
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0 && untangling_.empty(); }
+    /// Rows of what crosses: they are in all that follows.
+    [[nodiscard]] UntanglingRows& untangling() noexcept { return untangling_; }
+
+    /// Takes over what a body's particles have in a vector: those in pairs, the body's first being `first`.
+    void take(Parallel& parallel, std::uint32_t first, std::span<const Vec4> vector);
+    /// Which pairs push, and how, at the velocities that were taken.
+    void linearise(Parallel& parallel);
+    /// What contact does to one particle, as last linearised.
+    struct AtParticle {
+        std::uint32_t particle;
+        Symmetric3 diagonal;  ///< what a relaxation that knows no other particles is to have for it [kg]
+        Vector3 impulse;      ///< at the velocities taken [kg m/s]
+    };
+    /// visit(AtParticle) for free ones in [begin, end) that pairs push, ascending; then for those in
+    /// rows of what crosses.
+    template <class Visit>
+    void for_each_particle(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
+        for (std::uint32_t r = first_row(begin); r < incidence_.rows(); ++r) {
+            const std::uint32_t i = incidence_.particle(r);
+            if (i >= end) break;
+            if (counts_[r] == 0) continue;
+            const auto& [d, o, impulse] = particles_[r];
+            visit(AtParticle{i, {d.x, d.y, d.z, o.x, o.y, o.z}, xyz(impulse)});
+        }
+        untangling_.for_each_particle(begin, end, [&](std::uint32_t i, const UntanglingRows::Sum& sum) {
+            visit(AtParticle{i, sum.diagonal, sum.impulse});
+        });
+    }
+
+    /// With x as taken and C the pairs' matrix: returns x . C x.
+    double multiply(Parallel& parallel);
+    /// product += C x of a body's particles, after multiply().
+    void add_products(Parallel& parallel, std::uint32_t first, std::span<Vec4> product) const;
+
+    /// A pair that pushes, as last linearised.
+    struct ActivePair {
+        const FeaturePair& pair;
+        const PairShape& shape;
+        float spring, damper;  ///< [kg]
+
+        /// K.
+        [[nodiscard]] Symmetric3 stiffness() const {
+            const Vector3 n = xyz(shape.normal), across = (spring - damper) * n;
+            return {damper + across.x() * n.x(), damper + across.y() * n.y(), damper + across.z() * n.z(),
+                    across.x() * n.y(),          across.x() * n.z(),          across.y() * n.z()};
+        }
+    };
+    /// visit(ActivePair) for all that push, in their order.
+    template <class Visit>
+    void for_each_active(const Visit& visit) const {
+        for (std::uint32_t k = 0; k < size_; ++k)
+            if (pushes(k)) visit(active_pair(k));
+    }
+    /// Likewise, for those that push a free particle in [first, first + count).
+    template <class Visit>
+    void for_each_active_of(std::uint32_t first, std::size_t count, const Visit& visit) {
+        constexpr std::uint32_t bits = 64;
+        const RowRange rows = rows_of(first, count);
+        if (rows.end - rows.begin == incidence_.rows()) return for_each_active(visit);
+        const std::span<std::uint64_t> marks = marks_.span().first((size_ + bits - 1) / bits);
+        std::ranges::fill(marks, std::uint64_t{0});
+        for (std::uint32_t r = rows.begin; r < rows.end; ++r)
+            for (std::uint32_t c = 0; c < counts_[r]; ++c) {
+                const std::uint32_t k = pushed_[incidence_.start(r) + c].pair;
+                marks[k / bits] |= std::uint64_t{1} << k % bits;
+            }
+        for (std::uint32_t word = 0; word < marks.size(); ++word)
+            for (std::uint64_t left = marks[word]; left != 0; left &= left - 1)
+                visit(active_pair(word * bits + static_cast<std::uint32_t>(std::countr_zero(left))));
+    }
+    /// After the solve, for who wants to know what each pair gave: shares the impulses that particles are
+    /// known to have got among the pairs that pushed when last linearised, by sweeps of projected
+    /// Gauss-Seidel. The list may have changed. Few iterations leave the rows' own law, with its stiff
+    /// springs, several times off. missing(particle) is what it has not been given yet [kg m/s]; what is of a
+    /// body that is fixed stays.
+    void begin_sweeps();
+    template <class Missing>
+    void sweep(const Missing& missing) {
+        for (std::uint32_t k = 0; k < size_; ++k)
+            if (pushes(k)) share_out(k, missing);
+    }
+    /// A pair as it was when the substep began: what it takes of its corners' velocities, along its normal.
+    struct Row {
+        std::array<std::uint32_t, 4> corners;
+        std::array<float, 4> weights;
+        Vector3 normal;
+    };
+    /// What a pair does, as shared out, at the velocities that were taken.
+    struct Push {
+        Row pair;
+        std::uint32_t corners_of_a;
+        Vector3 point;    ///< half way between the features, where those velocities lead [m]
+        Vector3 impulse;  ///< that side A gets, and B the opposite [kg m/s]
+    };
+    /// visit(Push) for all that have a part, in their order.
+    template <class Visit>
+    void for_each_push(const Visit& visit) const {
+        for (std::uint32_t k = 0; k < size_; ++k)
+            if (pushes(k) && products_[k].x > 0) visit(push_of(k));
+    }
+
+  private:
+    [[nodiscard]] bool pushes(std::uint32_t k) const {
+        return groups_[k / PairGroup::lanes].spring[k % PairGroup::lanes] > 0;
+    }
+    [[nodiscard]] ActivePair active_pair(std::uint32_t k) const {
+        const PairGroup& group = groups_[k / PairGroup::lanes];
+        const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
+        return {list_->pairs[number], list_->shapes[number], group.spring[lane], group.damper[lane]};
+    }
+    /// The pair's impulse along the normal is in products_[k].x.
+    template <class Missing>
+    void share_out(std::uint32_t k, const Missing& missing) {
+        const Row pair = row(k);
+        const Vector3& n = pair.normal;
+        float along = 0, squares = 0;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            if (!(base_positions_[pair.corners[c]].w > 0)) continue;
+            const float b = pair.weights[c];
+            along += b * n.dot(xyz(missing(pair.corners[c])));
+            squares += b * b;
+        }
+        if (!(squares > 0)) return;
+        const float more = std::max(along / squares, -products_[k].x);
+        products_[k].x += more;
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            if (!(base_positions_[pair.corners[c]].w > 0)) continue;
+            Vec4& left = missing(pair.corners[c]);
+            set_xyz(left, xyz(left) - pair.weights[c] * more * n);
+        }
+    }
+    [[nodiscard]] Row row(std::uint32_t k) const;
+    [[nodiscard]] Push push_of(std::uint32_t k) const;
+    void choose(Parallel& parallel, std::span<const PairLaw> laws);
+    /// The first row of the incidence whose particle is not below this one.
+    [[nodiscard]] std::uint32_t first_row(std::uint32_t particle) const;
+    /// Rows of [first, first + count).
+    struct RowRange {
+        std::uint32_t begin, end;
+    };
+    [[nodiscard]] RowRange rows_of(std::uint32_t first, std::size_t count) const;
+
+    const PairList* list_ = nullptr;
+    std::span<const Vec4> base_positions_;
+    float gamma_ = 0;
+    std::uint32_t size_ = 0;               // pairs that have a row
+    std::uint32_t vertex_triangles_ = 0;   // of these, which come first
+    ScratchArray<std::uint32_t> numbers_;  // of these in the list, ascending
+    ScratchArray<FeaturePair> pairs_;
+    ScratchArray<PairGroup> groups_;
+    ScratchArray<PairShare> shares_;
+    ScratchArray<Vec4> products_;  // of pairs: what side A gets
+    ScratchArray<Vec4> taken_;     // of particles
+    // Which pairs a particle is in; and by its rows, as last linearised, what it has of them, and the corners
+    // that are pushed: of each row the first so many of its places.
+    PairIncidence incidence_;
+    ScratchArray<PushedParticle> particles_;
+    ScratchArray<std::uint32_t> counts_;
+    ScratchArray<PushedCorner> pushed_;
+    ScratchArray<std::uint32_t> block_counts_;
+    ScratchArray<std::uint64_t> marks_;  // by pair a bit
+    ScratchArray<double> partials_;
+    UntanglingRows untangling_;
+};
+
+}  // namespace weft

@@ -1,0 +1,38 @@
+#include "cloth/equation/step_equation.h"
+
+namespace weft {
+
+ExternalRow external_row(const StepEquation& equation, std::uint32_t i) {
+    const ExternalForces& forces = equation.external;
+    const float w = equation.base_positions[i].w;
+    const Vector3 v = xyz(equation.velocities[i]);
+    if (w == 0) return {v, 0};
+    const Vec4 air = forces.air.empty() ? Vec4{} : forces.air[i];
+    const float mass = 1 / w, gamma = equation.gamma;
+    const float row_sum = mass * (1 + gamma * forces.air_damping) + gamma * air.w;
+    const Vector3 impulse =
+        mass * (xyz(equation.base_velocities[i]) + gamma * forces.gravity) + gamma * (xyz(air) + air.w * v);
+    return {impulse / row_sum, row_sum};
+}
+
+void predict_velocities(Parallel& parallel, const StepEquation& equation, std::span<Vec4> predicted) {
+    const ExternalForces& external = equation.external;
+    const float h = equation.h;
+    parallel.ranges(static_cast<std::uint32_t>(predicted.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vector3 v = xyz(equation.velocities[i]);
+            const float inverse_mass = equation.positions[i].w;
+            if (inverse_mass == 0) {
+                predicted[i] = to_vec4(v, 0);
+                continue;
+            }
+            const Vec4 air = external.air.empty() ? Vec4{} : external.air[i];
+            const Vector3 acceleration =
+                external.gravity - external.air_damping * v + inverse_mass * xyz(air);
+            const float row_sum = 1.0f + h * (external.air_damping + inverse_mass * air.w);
+            predicted[i] = to_vec4(v + h * acceleration / row_sum, 0);
+        }
+    });
+}
+
+}  // namespace weft

@@ -1,0 +1,33 @@
+#pragma once
+// Bending for positional methods: one step of Jacobi's iteration on backward Euler, element by element. It is
+// stable at any rigidity, keeps momentum and what is straight, and is the closer the shorter the step.
+
+#include <span>
+#include <vector>
+
+#include "cloth/mesh/rest/linear_bending.h"
+#include "cloth/methods/positional/occurrences.h"
+#include "cloth/solver/solver.h"
+#include "engine/memory/aligned_buffer.h"
+
+namespace weft {
+
+class BendingStep {
+  public:
+    explicit BendingStep(const ClothModel& model) : BendingStep(model, linear_bending(model)) {}
+    /// Moves particles, which are at start + moved.
+    void apply(const SolverStep& step, std::span<const Vec4> start, std::span<Vec4> moved);
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return elements_.bytes() + impulses_.bytes() + bounds_.bytes() + occurrences_.bytes();
+    }
+
+  private:
+    BendingStep(const ClothModel& model, const std::vector<BendingElement>& elements);
+
+    AlignedBuffer<BendingElement> elements_;
+    AlignedBuffer<Vec4> impulses_;  // of each element: to be multiplied by c, over B h^2 [1/m]
+    AlignedBuffer<float> bounds_;   // D_i of each particle [1/m^2]
+    Occurrences occurrences_;       // of particles: 4 element + corner
+};
+
+}  // namespace weft

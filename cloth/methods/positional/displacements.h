@@ -1,0 +1,34 @@
+#pragma once
+// The particles' places as positional methods keep them: where each was at the start of the step, and how far
+// it has moved since. Positions would round that away: at 64 substeps a particle moves some ten thousandths
+// of its coordinate, and its velocity is that over h.
+
+#include "cloth/methods/positional/bending_step.h"
+#include "cloth/solver/solver.h"
+#include "engine/memory/aligned_buffer.h"
+
+namespace weft {
+
+class Displacements {
+  public:
+    /// With `stand_ins` particles behind the last one, in places of their own, for lanes that have nothing to
+    /// do.
+    Displacements(const ClothModel& model, std::uint32_t stand_ins);
+
+    /// Moves all particles as if nothing but external forces and bending acted.
+    void predict(const SolverStep& step);
+    /// The velocities that end where they have been moved to.
+    void find_velocities(const SolverStep& step) const;
+
+    [[nodiscard]] std::span<const Vec4> start() const { return start_.span(); }
+    [[nodiscard]] std::span<Vec4> moved() { return moved_.span(); }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return start_.bytes() + moved_.bytes() + bending_.bytes();
+    }
+
+  private:
+    BendingStep bending_;
+    AlignedBuffer<Vec4> start_, moved_;  // [m], w 0
+};
+
+}  // namespace weft

@@ -1,0 +1,178 @@
+#include "cloth/motion/moving_frame.h"
+
+#include <cmath>
+#include <utility>
+
+#include "cloth/state/state.h"
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+namespace {
+
+Eigen::Vector3d wide(const Vec3& v) {
+    return to_vector(v).cast<double>();
+}
+Vec3 narrow(const Eigen::Vector3d& v) {
+    return to_vec3(Vector3(v.cast<float>()));
+}
+
+void move_points(std::span<Vec4> points, const BlockRange& range, const RigidMotion& by) {
+    if (points.empty()) return;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) set_xyz(points[i], by.point(xyz(points[i])));
+}
+void turn_vectors(std::span<Vec4> vectors, const BlockRange& range, const RigidMotion& by) {
+    if (vectors.empty()) return;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) set_xyz(vectors[i], by.vector(xyz(vectors[i])));
+}
+
+/// Of a part that goes on in the frame's own world at `common` while the rest turns with it.
+void turn_about(std::span<Vec4> vectors, const BlockRange& range, const RigidMotion& by,
+                const Eigen::Vector3d& common) {
+    if (vectors.empty()) return;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        const Eigen::Vector3d v = xyz(vectors[i]).cast<double>();
+        set_xyz(vectors[i], (common + by.turn * (v - common)).cast<float>());
+    }
+}
+
+void kick_outwards(const Carried& carried, const BlockRange& range, ClothState& state) {
+    const Eigen::Vector3d& w = carried.spin;
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        if (state.positions[i].w == 0) continue;
+        const Eigen::Vector3d r = xyz(state.positions[i]).cast<double>() - carried.origin;
+        const Eigen::Vector3d kick = carried.outwards * (w.squaredNorm() * r - w.dot(r) * w);
+        set_xyz(state.velocities[i], xyz(state.velocities[i]) + kick.cast<float>());
+    }
+}
+
+/// The cloth itself, without its velocities.
+void move_cloth(const RigidMotion& by, const BlockRange& range, ClothState& state) {
+    move_points(state.positions.span(), range, by);
+    move_points(state.record.arrivals.span(), range, by);
+    turn_vectors(state.held.normals.span(), range, by);
+}
+
+/// The cloth and its present skin, without where they are to go.
+void move_present(const RigidMotion& by, const BlockRange& range, ClothState& state) {
+    move_cloth(by, range, state);
+    move_points(state.skin.places.span(), range, by);
+    turn_vectors(state.skin.normals.span(), range, by);
+}
+
+/// Velocities and what is read of the last step.
+void move_past(const RigidMotion& by, const BlockRange& range, ClothState& state) {
+    move_points(state.previous_positions.span(), range, by);
+    for (AlignedBuffer<Vec4>* vectors :
+         {&state.velocities, &state.normals, &state.record.displacements, &state.record.velocity_changes})
+        turn_vectors(vectors->span(), range, by);
+}
+
+}  // namespace
+
+std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& inertia, float dt) {
+    const auto h = static_cast<double>(dt), s = static_cast<double>(inertia.linear),
+               e = static_cast<double>(inertia.angular), c = static_cast<double>(inertia.centrifugal);
+    const Eigen::Vector3d from = wide(frame.pose.translation), way = wide(frame.target.translation) - from;
+    const Rotation &a = frame.pose.rotation, &b = frame.target.rotation;
+    const bool is_turned = a.x != b.x || a.y != b.y || a.z != b.z || a.w != b.w;
+    const Eigen::AngleAxisd turn(is_turned ? unit_quaternion(b) * unit_quaternion(a).conjugate()
+                                           : Eigen::Quaterniond::Identity());
+    Carried carried;
+    carried.moves = (s != 1 && !way.isZero(0)) || (e != 1 && is_turned);
+    carried.outwards = is_turned ? h * (c - e * e) : 0;
+    if (!carried.moves && carried.outwards == 0) return std::nullopt;
+    carried.by.turn = Eigen::AngleAxisd((1 - e) * turn.angle(), turn.axis()).toRotationMatrix();
+    carried.origin = from + (1 - s) * way;
+    carried.by.shift = carried.origin - carried.by.turn * from;
+    carried.velocity = s * wide(frame.velocity);
+    carried.change = s * wide(frame.velocity_change);
+    carried.spin = turn.angle() / h * turn.axis();
+    return carried;
+}
+
+void carry(Parallel& parallel, const Carried& carried, ClothState& state) {
+    StepRecord& record = state.record;
+    const Eigen::Vector3d way = static_cast<double>(record.h) * carried.velocity;
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        if (carried.moves) {
+            move_present(carried.by, range, state);
+            turn_about(state.velocities.span(), range, carried.by, carried.velocity);
+            turn_about(record.displacements.span(), range, carried.by, way);
+            turn_about(record.velocity_changes.span(), range, carried.by, carried.change);
+        }
+        if (carried.outwards != 0) kick_outwards(carried, range, state);
+    });
+}
+
+void leave_start_behind(Parallel& parallel, const Carried& carried, ClothState& state) {
+    if (!carried.moves) return;
+    const RigidMotion back = carried.by.inverse();
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        move_points(state.previous_positions.span(), range, back);
+    });
+}
+
+void arrive(FrameState& frame, float dt, bool in_one_part, float max_speed) noexcept {
+    const Eigen::Vector3d way = wide(frame.target.translation) - wide(frame.pose.translation);
+    const double speed = way.norm() / static_cast<double>(dt), most = static_cast<double>(max_speed);
+    const Eigen::Vector3d velocity = way / static_cast<double>(dt) * (speed > most ? most / speed : 1);
+    // Pins change their velocity in the first part of a step. The last part's record has that change if it is
+    // the only one.
+    frame.velocity_change = in_one_part ? narrow(velocity - wide(frame.velocity)) : Vec3{};
+    frame.velocity = narrow(velocity);
+    frame.pose = frame.target;
+}
+
+void move_all(Parallel& parallel, const RigidMotion& by, ClothState& state) {
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        move_present(by, range, state);
+        move_past(by, range, state);
+        move_points(state.skin.target_places.span(), range, by);
+        turn_vectors(state.skin.target_normals.span(), range, by);
+    });
+    for (Pin& pin : state.pins) pin.target = by.point(pin.target);
+    if (!state.frame) return;
+    FrameState& frame = *state.frame;
+    frame.pose = moved(frame.pose, by);
+    frame.target = moved(frame.target, by);
+    frame.velocity = to_vec3(by.vector(to_vector(frame.velocity)));
+    frame.velocity_change = to_vec3(by.vector(to_vector(frame.velocity_change)));
+}
+
+void move_alone(Parallel& parallel, const RigidMotion& by, ClothState& state) {
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        move_cloth(by, range, state);
+        move_past(by, range, state);
+    });
+}
+
+Collider moved(const Collider& collider, const RigidMotion& by) {
+    const auto turned = [&](const Rotation& rotation) {
+        return rotation_of(Eigen::Quaterniond(by.turn) * unit_quaternion(rotation));
+    };
+    Collider result = collider;
+    std::visit(
+        [&]<class Kind>(Kind& shape) {
+            if constexpr (std::same_as<Kind, Sphere>) {
+                shape.center = by.point(shape.center);
+            } else if constexpr (std::same_as<Kind, Box>) {
+                shape.center = by.point(shape.center);
+                shape.rotation = turned(shape.rotation);
+            } else if constexpr (std::same_as<Kind, PlacedShape>) {
+                shape.position = by.point(shape.position);
+                shape.rotation = turned(shape.rotation);
+            } else if constexpr (std::same_as<Kind, Plane>) {
+                const Eigen::Vector3d normal = by.turn * wide(shape.normal);
+                shape.offset += static_cast<float>(normal.normalized().dot(by.shift));
+                shape.normal = narrow(normal);
+            } else {
+                shape.a = by.point(shape.a);
+                shape.b = by.point(shape.b);
+            }
+        },
+        result.shape);
+    return result;
+}
+
+}  // namespace weft

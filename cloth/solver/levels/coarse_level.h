@@ -1,0 +1,89 @@
+#pragma once
+// One coarse level: its operator, summed anew from the finer level's, and the vectors of a cycle.
+
+#include <span>
+
+#include "cloth/equation/sparse/transfers.h"
+#include "cloth/solver/levels/coarse_matrix.h"
+#include "cloth/solver/levels/coarse_pairs.h"
+#include "cloth/solver/levels/coarsening.h"
+#include "cloth/solver/levels/component_solver.h"
+#include "cloth/solver/levels/galerkin.h"
+#include "engine/memory/scratch.h"
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+class CoarseLevel {
+  public:
+    /// The springs between this level's nodes: as lists, as a graph, and the components of that. P leads from
+    /// here to the finer level.
+    CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
+                const Components& components);
+    /// What of it is constant.
+    struct Constants {
+        GalerkinLists lists;  ///< sums are saved nowhere
+        Interpolation interpolation;
+        Stencil stencil;
+        SharedBuffer<std::uint32_t> link_rows;
+        SmallComponents small_components;
+    };
+    explicit CoarseLevel(Constants constants);
+    [[nodiscard]] Constants constant_part() const;
+    /// For contact of the cloth with itself in so many rows of the finer level; 0: without.
+    void lay_out(Scratch& scratch, std::size_t finer_pair_rows);
+
+    /// Sums the links from the finest level's springs d d^T + a I, given as (d, a). The lists name springs by
+    /// their index. Constants are scaled.
+    void sum_links(Parallel& parallel, std::span<const Vec4> springs, float constant_scale);
+    /// Sums the ground from what holds the finer level's nodes. Without `off_diagonal` those entries are 0.
+    void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
+    /// Sums links and ground from a finer coarse level.
+    void sum(Parallel& parallel, const CoarseLevel& finer);
+    /// The bound of the rows of contact joins the ground; finish() and what follows take the rows over.
+    void add_bound_of_pairs();
+    /// After links and ground: the matrix, and the factors of its small components.
+    void finish(Parallel& parallel);
+
+    /// remainder = b - W x.
+    void subtract_product(Parallel& parallel, std::span<Vec4> remainder) const;
+    /// x = step D^-1 b.
+    void relax_from_zero(Parallel& parallel, float step);
+    /// As ImplicitSystem::relax, on x. The iterate before it is kept in before(), which may be overwritten
+    /// between steps without momentum.
+    void relax(Parallel& parallel, Relaxation relaxation);
+    /// x = W^-1 b at the nodes of small components.
+    void solve_small_components(Parallel& parallel);
+    /// Whether these are all nodes.
+    [[nodiscard]] bool has_small_components_only() const noexcept {
+        return small_components_.nodes() == nodes();
+    }
+
+    [[nodiscard]] std::uint32_t nodes() const noexcept { return matrix_.stencil.nodes; }
+    [[nodiscard]] const Interpolation& interpolation() const noexcept { return interpolation_; }
+    [[nodiscard]] const GalerkinLists& lists() const noexcept { return lists_; }
+    [[nodiscard]] GalerkinLists::Constants& constants() noexcept { return lists_.constants; }
+    [[nodiscard]] const CoarseMatrix& matrix() const noexcept { return matrix_; }
+    [[nodiscard]] CoarseMatrix& matrix() noexcept { return matrix_; }
+    [[nodiscard]] std::span<Vec4> b() noexcept { return b_.span(); }
+    [[nodiscard]] std::span<Vec4> x() noexcept { return x_.span(); }
+    [[nodiscard]] std::span<Vec4> before() noexcept { return before_.span(); }
+    /// Of contact of the cloth with itself.
+    [[nodiscard]] CoarsePairs& pairs() noexcept { return pairs_; }
+    [[nodiscard]] const CoarsePairs& pairs() const noexcept { return pairs_; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    /// b, less what contact does at x beyond its bound.
+    [[nodiscard]] std::span<const Vec4> corrected_b() const;
+
+    GalerkinLists lists_;
+    Interpolation interpolation_;
+    CoarseMatrix matrix_;
+    ComponentSolver small_components_;
+    CoarsePairs pairs_;
+    ScratchArray<Vec4> b_, x_, before_;
+    mutable ScratchArray<Vec4> corrected_;
+};
+
+}  // namespace weft

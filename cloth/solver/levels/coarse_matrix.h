@@ -1,0 +1,81 @@
+#pragma once
+// The matrix of a coarse level and the loops over it, with the widest vectors that the machine has.
+
+#include <cstdint>
+#include <utility>
+
+#include "cloth/equation/contacts.h"
+#include "cloth/equation/implicit_system.h"
+#include "cloth/equation/sparse/stencil.h"
+#include "cloth/solver/levels/galerkin.h"
+#include "engine/memory/scratch.h"
+#include "engine/memory/shared_buffer.h"
+#include "engine/simd/symmetric3.h"
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+/// Symmetric blocks as two rows each.
+struct SymmetricRows {
+    ScratchArray<Vec4> diagonal;      ///< xx yy zz, w 0
+    ScratchArray<Vec4> off_diagonal;  ///< xy xz yz, w 0
+
+    void lay_out(Scratch& scratch, std::size_t blocks) {
+        scratch.take(diagonal, blocks);
+        scratch.take(off_diagonal, blocks);
+    }
+    [[nodiscard]] Symmetric3 operator[](std::size_t i) const {
+        const Vec4 &d = diagonal[i], &o = off_diagonal[i];
+        return {.xx = d.x, .yy = d.y, .zz = d.z, .xy = o.x, .xz = o.y, .yz = o.z};
+    }
+    void set(std::size_t i, const Symmetric3& block) {
+        diagonal[i] = {block.xx, block.yy, block.zz, 0};
+        off_diagonal[i] = {block.xy, block.xz, block.yz, 0};
+    }
+};
+
+/// Row I:  G_I x_I + sum_J A_IJ (x_I - x_J).  Symmetric blocks are stored as xx, yy, zz, xy, xz, yz.
+struct CoarseMatrix {
+    static constexpr std::uint32_t arrays = 6;
+
+    CoarseMatrix() = default;
+    CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
+    /// From lists that were read.
+    CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows)
+        : stencil(std::move(of_level)), link_rows(std::move(rows)) {}
+    void lay_out(Scratch& scratch, const GalerkinLists& lists);
+
+    Stencil stencil;                        ///< without entries
+    ScratchArray<float> coefficients;       ///< A_IJ per slot: 16 of each entry
+    ScratchArray<float> ground;             ///< G_I per group: 16 of each entry
+    ScratchArray<float> inverse_diagonal;   ///< likewise; 0 for nodes without inertia
+    SymmetricRows ground_rows;              ///< G_I by node
+    SymmetricRows links;                    ///< A_IJ by place in the lists, and behind them one that is 0
+    SharedBuffer<std::uint32_t> link_rows;  ///< of each entry: its link's number in `links`
+
+    [[nodiscard]] std::size_t bytes() const noexcept { return stencil.bytes() + link_rows.bytes(); }
+};
+
+/// r_i I + G_i as rows: what holds the particles of a block. Without contacts the rows off the diagonal are
+/// not written.
+void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
+                       Vec4* diagonal, Vec4* off_diagonal);
+/// Sums a block of the lists' places from the finest level's springs, d d^T + a I given as (d, a), and from
+/// the lists' constants times `scale`.
+void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
+                       SymmetricRows& sums);
+/// The same from a finer coarse level's links.
+void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
+                     SymmetricRows& sums);
+/// After links and ground: a block's coefficients, and the inverse of its diagonal.
+void finish_block(const BlockRange& range, CoarseMatrix& matrix);
+
+/// As ImplicitSystem's functions of the same name.
+void subtract_product_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                            Vec4* remainder);
+void relax_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
+                 Relaxation relaxation, Vec4* next);
+void precondition_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, float step,
+                        Vec4* x);
+
+}  // namespace weft

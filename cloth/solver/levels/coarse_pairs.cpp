@@ -1,0 +1,242 @@
+#include "cloth/solver/levels/coarse_pairs.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace weft {
+
+namespace {
+
+/// How many fine rows say where a coarse one acts; of the others only K is added.
+constexpr std::uint32_t looked_at = 4;
+/// Rows that hardly reach from one node to another say nothing that the level can move by.
+constexpr float least_reach = 0.1f;
+
+constexpr std::uint32_t none = ~0u;
+/// A node has many rows.
+constexpr std::uint32_t nodes_per_block = 16;
+
+}  // namespace
+
+/// Collects P^T c, summed over some fine rows, by coarse nodes.
+class CoarsePairs::Sum {
+  public:
+    void add(const Interpolation& p, std::span<const float> of_p, std::uint32_t fine, float c) {
+        for (std::uint32_t e = Interpolation::width * fine; e < Interpolation::width * (fine + 1); ++e)
+            if (of_p[e] != 0) add(p.nodes[e], c * of_p[e]);
+    }
+    void add(std::uint32_t node, float c) {
+        for (std::uint32_t k = 0; k < count_; ++k) {
+            if (nodes_[k] != node) continue;
+            weights_[k] += c;
+            return;
+        }
+        if (count_ == most_nodes) return;
+        nodes_[count_] = node;
+        weights_[count_++] = c;
+    }
+    /// The nodes that have most of either sign, the lower number first; `none` where there is none.
+    [[nodiscard]] Key key() const {
+        std::uint32_t most = none, least = none;
+        for (std::uint32_t k = 0; k < count_; ++k) {
+            if (weights_[k] > 0 && (most == none || weights_[k] > weights_[most])) most = k;
+            if (weights_[k] < 0 && (least == none || weights_[k] < weights_[least])) least = k;
+        }
+        if (most == none && least == none) return {none, none, 1};
+        const std::uint32_t a = nodes_[most != none ? most : least], b = nodes_[least != none ? least : most];
+        return {std::min(a, b), std::max(a, b), a <= b ? 1.0f : -1.0f};
+    }
+    [[nodiscard]] Row row(float scale, const Symmetric3& stiffness) const {
+        Row result{.count = count_, .nodes = {}, .weights = {}, .reach = 0, .stiffness = stiffness};
+        for (std::uint32_t k = 0; k < count_; ++k) {
+            result.nodes[k] = nodes_[k];
+            result.weights[k] = scale * weights_[k];
+            result.reach += std::abs(result.weights[k]);
+        }
+        return result;
+    }
+
+  private:
+    std::uint32_t count_ = 0;
+    std::uint32_t nodes_[most_nodes];
+    float weights_[most_nodes];
+};
+
+/// Sum::key of one fine particle's nodes less another's. Mostly the two share none, and each side has its own
+/// strongest one; `none` then for neither is asked further.
+CoarsePairs::Key CoarsePairs::key_between(const Interpolation& p, std::span<const float> of_p,
+                                          std::uint32_t most, std::uint32_t least) {
+    constexpr std::uint32_t width = Interpolation::width;
+    const std::uint32_t* const nodes_a = &p.nodes[width * most];
+    const std::uint32_t* const nodes_b = &p.nodes[width * least];
+    const float* const weights_a = &of_p[width * most];
+    const float* const weights_b = &of_p[width * least];
+    std::uint32_t a = 0, b = 0;
+    bool is_simple = true;
+    for (std::uint32_t k = 0; k < width; ++k) {
+        if (weights_a[k] > weights_a[a]) a = k;
+        if (weights_b[k] > weights_b[b]) b = k;
+        is_simple &= weights_a[k] >= 0 && weights_b[k] >= 0;
+        for (std::uint32_t l = 0; l < width; ++l) is_simple &= nodes_a[k] != nodes_b[l];
+        for (std::uint32_t l = 0; l < k; ++l)
+            is_simple &= (nodes_a[k] != nodes_a[l] || weights_a[k] == 0) &&
+                         (nodes_b[k] != nodes_b[l] || weights_b[k] == 0);
+    }
+    if (is_simple && weights_a[a] > 0 && weights_b[b] > 0)
+        return {std::min(nodes_a[a], nodes_b[b]), std::max(nodes_a[a], nodes_b[b]),
+                nodes_a[a] <= nodes_b[b] ? 1.0f : -1.0f};
+    Sum sum;
+    sum.add(p, of_p, most, 1);
+    sum.add(p, of_p, least, -1);
+    return sum.key();
+}
+
+void CoarsePairs::lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t nodes) {
+    clear();
+    const bool any = fine_rows > 0;
+    scratch.take_few(keys_, fine_rows);
+    scratch.take_few(order_, fine_rows);
+    scratch.take_few(active_, fine_rows);
+    scratch.take_few(rows_, std::min(fine_rows, rows_per_node * nodes + least_rows));
+    scratch.take_few(starts_, any ? std::size_t{nodes} + 1 : 0);
+    scratch.take_few(merged_, any ? std::size_t{nodes} + 1 : 0);
+}
+
+// Rows between the same two nodes come to follow one another: counted by the lower node, then sorted by the
+// higher.
+void CoarsePairs::sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows) {
+    const std::span<std::uint32_t> starts = starts_.span(), merged = merged_.span();
+    std::ranges::fill(starts, 0u);
+    for (const Key& key : keys_.span().first(fine_rows))
+        if (key.low != none) ++starts[key.low + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::ranges::copy(starts, merged.begin());
+    for (std::uint32_t k = 0; k < fine_rows; ++k)
+        if (keys_[k].low != none) order_[merged_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
+    const auto nodes = static_cast<std::uint32_t>(starts_.size() - 1);
+    parallel.ranges(
+        nodes,
+        [&](const BlockRange& range) {
+            for (std::uint32_t low = range.begin; low < range.end; ++low) {
+                const std::span<Placed> of_low(order_.data() + starts_[low],
+                                               order_.data() + starts_[low + 1]);
+                std::ranges::sort(of_low);
+                std::uint32_t different = of_low.empty() ? 0 : 1;
+                for (std::size_t k = 1; k < of_low.size(); ++k)
+                    different += of_low[k].high != of_low[k - 1].high;
+                merged_[low] = different;
+            }
+        },
+        nodes_per_block);
+    merged[nodes] = 0;
+    std::exclusive_scan(merged.begin(), merged.end(), merged.begin(), 0u);
+}
+
+// add_row(k, sum) adds P^T c of fine row k to the sum, unless that is null, and returns its K.
+template <class AddRow>
+void CoarsePairs::merge(Parallel& parallel, std::uint32_t fine_rows, const AddRow& add_row) {
+    sort_by_nodes(parallel, fine_rows);
+    const auto room = static_cast<std::uint32_t>(rows_.size());
+    parallel.ranges(
+        static_cast<std::uint32_t>(starts_.size() - 1),
+        [&](const BlockRange& range) {
+            for (std::uint32_t low = range.begin; low < range.end; ++low) {
+                std::uint32_t next = merged_[low];
+                for (std::uint32_t k = starts_[low], end = starts_[low + 1]; k < end && next < room;) {
+                    const std::uint32_t high = order_[k].high;
+                    Sum sum;
+                    Symmetric3 stiffness;
+                    std::uint32_t looked = 0;
+                    for (; k < end && order_[k].high == high; ++k) {
+                        const bool look = looked < looked_at;
+                        stiffness.add(add_row(order_[k].row, look ? &sum : nullptr));
+                        looked += look ? 1 : 0;
+                    }
+                    rows_[next++] = sum.row(1 / static_cast<float>(looked), stiffness);
+                }
+            }
+        },
+        nodes_per_block);
+    const std::span<Row> merged = rows_.span().first(std::min(room, merged_[merged_.size() - 1]));
+    const auto left_out =
+        std::ranges::remove_if(merged, [](const Row& row) { return !(row.reach > least_reach); });
+    size_ = static_cast<std::uint32_t>(merged.size() - left_out.size());
+}
+
+// A group has room for more than one of its cloths: what is over is left to the finest level.
+void CoarsePairs::list(PairRows& pairs, std::uint32_t first, std::uint32_t particles) {
+    listed_ = 0;
+    pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {
+        if (listed_ < active_.size()) std::construct_at(&active_[listed_++], active);
+    });
+}
+
+CoarsePairs::Key CoarsePairs::key_of(const PairRows::ActivePair& active, std::uint32_t first,
+                                     const Interpolation& p, std::span<const float> weights) {
+    std::uint32_t most = 0, least = 0;
+    for (std::uint32_t c = 1; c < 4; ++c) {
+        if (active.shape.weight(c) > active.shape.weight(most)) most = c;
+        if (active.shape.weight(c) < active.shape.weight(least)) least = c;
+    }
+    return key_between(p, weights, active.pair.corners[most] - first, active.pair.corners[least] - first);
+}
+
+void CoarsePairs::gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
+                         std::span<const float> weights) {
+    const std::uint32_t count = listed_;
+    const std::size_t particles = weights.size() / Interpolation::width;
+    std::atomic<bool> any_outer = false;
+    parallel.ranges(count, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            const bool inner = is_inner(active_[k], first, particles);
+            keys_[k] = inner ? key_of(active_[k], first, p, weights) : Key{none, none, 1};
+            if (!inner) any_outer.store(true, std::memory_order_relaxed);
+        }
+    });
+    has_outer_ = any_outer;
+    merge(parallel, count, [&](std::uint32_t k, Sum* sum) {
+        const PairRows::ActivePair& active = active_[k];
+        if (sum != nullptr)
+            for (std::uint32_t c = 0; c < 4; ++c)
+                sum->add(p, weights, active.pair.corners[c] - first, keys_[k].sign * active.shape.weight(c));
+        return active.stiffness();
+    });
+}
+
+void CoarsePairs::gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p) {
+    const std::span<const Row> fine = finer.rows();
+    const auto count = static_cast<std::uint32_t>(fine.size());
+    const auto add_row = [&](const Row& row, float sign, Sum& sum) {
+        for (std::uint32_t k = 0; k < row.count; ++k)
+            sum.add(p, p.weights.span(), row.nodes[k], sign * row.weights[k]);
+    };
+    parallel.ranges(count, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+            Sum sum;
+            add_row(fine[k], 1, sum);
+            keys_[k] = sum.key();
+        }
+    });
+    merge(parallel, count, [&](std::uint32_t k, Sum* sum) {
+        if (sum != nullptr) add_row(fine[k], keys_[k].sign, *sum);
+        return fine[k].stiffness;
+    });
+}
+
+void CoarsePairs::correct(std::span<const Vec4> b, std::span<const Vec4> x, std::span<Vec4> corrected) const {
+    std::ranges::copy(b, corrected.begin());
+    for (const Row& row : rows()) {
+        Vector3 across = Vector3::Zero();
+        for (std::uint32_t k = 0; k < row.count; ++k) across += row.weights[k] * xyz(x[row.nodes[k]]);
+        for (std::uint32_t k = 0; k < row.count; ++k) {
+            const Vector3 bound = row.reach * std::abs(row.weights[k]) * xyz(x[row.nodes[k]]);
+            Vec4& target = corrected[row.nodes[k]];
+            target = to_vec4(xyz(target) - row.stiffness * (row.weights[k] * across - bound), 0);
+        }
+    }
+}
+
+}  // namespace weft

@@ -1,0 +1,57 @@
+#pragma once
+// From one level of a hierarchy to the next coarser one: which nodes stay, and how the others interpolate
+// from them. Works on any graph; done once, when a cloth gets its multilevel solver.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cloth/equation/sparse/interpolation.h"
+
+namespace weft {
+
+/// Nodes joined by springs, in compressed rows; each spring at both its ends.
+struct SpringGraph {
+    std::vector<std::uint32_t> offsets, neighbours;
+    std::vector<float> stiffness;  ///< >= 0
+    std::vector<float> lengths;    ///< >= 0; infinite where a spring is no way to go
+
+    [[nodiscard]] std::uint32_t nodes() const noexcept {
+        return static_cast<std::uint32_t>(offsets.size()) - 1;
+    }
+    [[nodiscard]] std::uint32_t degree(std::uint32_t node) const noexcept {
+        return offsets[node + 1] - offsets[node];
+    }
+};
+
+/// Nodes that springs join, directly or by way of others. Components are numbered by their first nodes.
+struct Components {
+    std::vector<std::uint32_t> of_node;
+    std::vector<std::uint32_t> offsets, nodes;  ///< of component c, ascending: [offsets[c], offsets[c + 1])
+
+    [[nodiscard]] std::uint32_t count() const noexcept {
+        return static_cast<std::uint32_t>(offsets.size()) - 1;
+    }
+    [[nodiscard]] std::uint32_t size(std::uint32_t component) const noexcept {
+        return offsets[component + 1] - offsets[component];
+    }
+};
+[[nodiscard]] Components components_of(const SpringGraph& graph);
+
+/// Makes P^T of what P has by rows.
+void store_transpose(Interpolation& p);
+
+/// What the next level is made from.
+struct Coarsening {
+    Interpolation interpolation;
+    std::vector<std::uint32_t> owner;  ///< the coarse node nearest to each fine one, along the springs
+    std::vector<float> distance;       ///< to its owner
+};
+
+/// Keeps about nodes / ratio nodes of each component, at least one, whatever other components there are.
+/// Those of at most `most_direct` nodes are solved where they are, and nodes without springs have nothing to
+/// correct: they keep none, and their rows of P are 0.
+[[nodiscard]] Coarsening coarsen(const SpringGraph& graph, const Components& components, float ratio,
+                                 std::uint32_t most_direct);
+
+}  // namespace weft

@@ -1,0 +1,335 @@
+#include "cloth/solver/levels/galerkin.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "engine/threads/parallel_blocks.h"
+
+namespace weft {
+
+namespace {
+
+/// Factors below this are left out: interpolation weights have no such precision.
+constexpr float least_factor = 1e-4f;
+
+struct Difference {
+    std::uint32_t coarse;
+    float value;
+};
+
+struct RowDifference {
+    std::array<Difference, 2 * Interpolation::width> entries;
+    std::size_t size = 0;
+};
+
+/// Row i minus row j of P, entries that are not 0.
+RowDifference row_difference(const Interpolation& p, const Link& link) {
+    RowDifference result;
+    for (const auto& [node, sign] : {std::pair(link.first, 1.0f), std::pair(link.second, -1.0f)}) {
+        for (std::uint32_t e = Interpolation::width * node; e < Interpolation::width * (node + 1); ++e) {
+            const float weight = p.weights[e];
+            if (weight == 0) continue;
+            const std::uint32_t coarse = p.nodes[e];
+            std::size_t at = 0;
+            while (at < result.size && result.entries[at].coarse != coarse) ++at;
+            if (at == result.size)
+                result.entries[result.size++] = {coarse, sign * weight};
+            else
+                result.entries[at].value += sign * weight;
+        }
+    }
+    return result;
+}
+
+/// Links of each node, in compressed rows.
+struct Incidence {
+    std::vector<std::uint32_t> offsets, links;
+};
+Incidence incidence(std::span<const Link> links, std::uint32_t nodes) {
+    Incidence result{std::vector<std::uint32_t>(nodes + 1), std::vector<std::uint32_t>(2 * links.size())};
+    for (const Link& link : links) {
+        ++result.offsets[link.first + 1];
+        ++result.offsets[link.second + 1];
+    }
+    for (std::uint32_t i = 0; i < nodes; ++i) result.offsets[i + 1] += result.offsets[i];
+    std::vector<std::uint32_t> next(result.offsets.begin(), result.offsets.end() - 1);
+    for (std::uint32_t k = 0; k < links.size(); ++k) {
+        result.links[next[links[k].first]++] = k;
+        result.links[next[links[k].second]++] = k;
+    }
+    return result;
+}
+
+/// A term of a coarse link, the first node of which is known.
+struct Term {
+    std::uint32_t second, fine_link;
+    float factor;
+};
+
+/// body(first node, term) for all terms of a fine link.
+template <class Body>
+void for_each_term(const Interpolation& p, const Link& link, std::uint32_t number, const Body& body) {
+    const RowDifference row = row_difference(p, link);
+    for (std::size_t a = 1; a < row.size; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            const float factor = -row.entries[a].value * row.entries[b].value;
+            if (!(std::abs(factor) > least_factor)) continue;
+            const auto [first, second] = std::minmax(row.entries[a].coarse, row.entries[b].coarse);
+            body(first, Term{second, number, factor});
+        }
+    }
+}
+
+/// All terms by first nodes, those of each by fine links, ascending.
+struct Terms {
+    std::vector<std::size_t> offsets;
+    std::vector<Term> terms;
+};
+Terms terms_of(const std::vector<Link>& links, const Interpolation& p) {
+    Terms result;
+    result.offsets.resize(p.coarse + std::size_t{1});
+    for (std::uint32_t k = 0; k < links.size(); ++k)
+        for_each_term(p, links[k], k,
+                      [&](std::uint32_t first, const Term&) { ++result.offsets[first + std::size_t{1}]; });
+    for (std::uint32_t c = 0; c < p.coarse; ++c) result.offsets[c + 1] += result.offsets[c];
+    result.terms.resize(result.offsets.back());
+    std::vector<std::size_t> next(result.offsets.begin(), result.offsets.end() - 1);
+    for (std::uint32_t k = 0; k < links.size(); ++k)
+        for_each_term(p, links[k], k,
+                      [&](std::uint32_t first, const Term& term) { result.terms[next[first]++] = term; });
+    return result;
+}
+
+/// Sorts the terms of one first node by second ones; those of one second node stay in order.
+class SortBySecond {
+  public:
+    explicit SortBySecond(std::uint32_t coarse) : counts_(coarse) {}
+
+    std::span<const Term> operator()(std::span<const Term> terms) {
+        seconds_.clear();
+        for (const Term& term : terms)
+            if (counts_[term.second]++ == 0) seconds_.push_back(term.second);
+        std::ranges::sort(seconds_);
+        std::uint32_t begin = 0;
+        for (const std::uint32_t second : seconds_) begin += std::exchange(counts_[second], begin);
+        sorted_.resize(terms.size());
+        for (const Term& term : terms) sorted_[counts_[term.second]++] = term;
+        for (const std::uint32_t second : seconds_) counts_[second] = 0;
+        return sorted_;
+    }
+
+  private:
+    std::vector<std::uint32_t> counts_, seconds_;
+    std::vector<Term> sorted_;
+};
+
+/// Lists as they grow, link by link.
+struct GrowingLists {
+    std::vector<Link> links;
+    std::vector<std::uint32_t> offsets{0};  // terms of link k: [offsets[k], offsets[k + 1])
+    std::vector<std::uint32_t> fine_links;
+    std::vector<float> factors;
+    struct {
+        std::vector<std::uint32_t> offsets{0}, fine_links;
+        std::vector<float> factors;
+    } constants;
+
+    void reserve(std::size_t terms, bool any_constant) {
+        fine_links.reserve(terms);
+        factors.reserve(terms);
+        if (!any_constant) return;
+        constants.fine_links.reserve(terms);
+        constants.factors.reserve(terms);
+    }
+    void add(std::uint32_t first, const Term& term, bool is_constant) {
+        if (links.empty() || links.back() != Link{first, term.second}) {
+            links.push_back({first, term.second});
+            offsets.push_back(offsets.back());
+            constants.offsets.push_back(constants.offsets.back());
+        }
+        if (is_constant) {
+            constants.fine_links.push_back(term.fine_link);
+            constants.factors.push_back(term.factor);
+            ++constants.offsets.back();
+            return;
+        }
+        fine_links.push_back(term.fine_link);
+        factors.push_back(term.factor);
+        ++offsets.back();
+    }
+    [[nodiscard]] std::uint32_t terms(std::uint32_t link) const { return offsets[link + 1] - offsets[link]; }
+};
+
+/// Links by the places of their sums.
+std::vector<std::uint32_t> ordered_for_lanes(const GrowingLists& lists) {
+    std::vector<std::uint32_t> order(lists.links.size());
+    std::iota(order.begin(), order.end(), 0u);
+    for (std::size_t begin = 0; begin < order.size(); begin += block_size) {
+        const std::span block =
+            std::span(order).subspan(begin).first(std::min<std::size_t>(block_size, order.size() - begin));
+        std::ranges::stable_sort(block, std::greater(),
+                                 [&](std::uint32_t link) { return lists.terms(link); });
+    }
+    return order;
+}
+
+GalerkinLists in_groups(const GrowingLists& grown) {
+    constexpr std::uint32_t lanes = Stencil::lanes;
+    const std::vector<std::uint32_t> order = ordered_for_lanes(grown);
+    GalerkinLists lists;
+    lists.links = SharedBuffer<Link>(grown.links);
+    lists.constants.offsets = SharedBuffer<std::uint32_t>(grown.constants.offsets);
+    lists.constants.fine_links.numbers = SharedBuffer<std::uint32_t>(grown.constants.fine_links);
+    lists.constants.factors = SharedBuffer<float>(grown.constants.factors);
+    lists.constants.sums = AlignedBuffer<float>(lists.groups() * lanes);
+    lists.places = SharedBuffer<std::uint32_t>(order.size());
+    lists.group_slots = SharedBuffer<std::uint32_t>(lists.groups() + 1);
+    for (std::uint32_t place = 0; place < order.size(); ++place) {
+        lists.places[order[place]] = place;
+        std::uint32_t& slots = lists.group_slots[place / lanes + 1];
+        slots = std::max(slots, grown.terms(order[place]));
+    }
+    for (std::uint32_t g = 0; g < lists.groups(); ++g) lists.group_slots[g + 1] += lists.group_slots[g];
+
+    const std::size_t entries = std::size_t{lists.group_slots[lists.groups()]} * lanes;
+    lists.fine_links.numbers = SharedBuffer<std::uint32_t>(entries);
+    lists.factors = SharedBuffer<float>(entries);
+    for (std::uint32_t place = 0; place < order.size(); ++place) {
+        const std::uint32_t begin = grown.offsets[order[place]], group = place / lanes;
+        const std::uint32_t terms = grown.terms(order[place]);
+        for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
+            const std::uint32_t t = s - lists.group_slots[group], entry = s * lanes + place % lanes;
+            if (terms > 0) lists.fine_links.numbers[entry] = grown.fine_links[begin + std::min(t, terms - 1)];
+            lists.factors[entry] = t < terms ? grown.factors[begin + t] : 0;
+        }
+    }
+    return lists;
+}
+
+}  // namespace
+
+void FineLinks::pack(std::span<const std::uint32_t> offsets, std::uint32_t width,
+                     std::span<const float> factors) {
+    constexpr std::uint32_t far = std::numeric_limits<std::uint16_t>::max();
+    const std::size_t rows = offsets.empty() ? 0 : offsets.size() - 1;
+    SharedBuffer<std::uint32_t> least(rows);
+    SharedBuffer<std::uint16_t> from_least(numbers.size());
+    for (std::size_t row = 0; row < rows; ++row) {
+        const std::uint32_t begin = offsets[row] * width, end = offsets[row + 1] * width;
+        std::uint32_t base = ~0u, last = 0;
+        for (std::uint32_t t = begin; t < end; ++t) {
+            if (factors[t] == 0) continue;
+            base = std::min(base, numbers[t]);
+            last = std::max(last, numbers[t]);
+        }
+        if (base > last) base = last = 0;
+        if (last - base > far) return;
+        least[row] = base;
+        for (std::uint32_t t = begin; t < end; ++t)
+            from_least[t] = static_cast<std::uint16_t>(std::clamp(numbers[t], base, last) - base);
+    }
+    bases = std::move(least);
+    from_base = std::move(from_least);
+    numbers = {};
+}
+
+void GalerkinLists::pack_fine_links() {
+    fine_links.pack(group_slots.span(), Stencil::lanes, factors.span());
+    constants.fine_links.pack(constants.offsets.span(), 1, constants.factors.span());
+}
+
+std::vector<Link> links_of(const SpringGraph& graph) {
+    std::vector<Link> links;
+    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            if (graph.neighbours[e] > i) links.push_back({i, graph.neighbours[e]});
+        }
+    }
+    return links;
+}
+
+GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p,
+                                  const std::vector<bool>& is_constant) {
+    GrowingLists lists;
+    const Terms terms = terms_of(links, p);
+    lists.reserve(terms.terms.size(), !is_constant.empty());
+    SortBySecond sorted(p.coarse);
+    for (std::uint32_t first = 0; first < p.coarse; ++first) {
+        const std::size_t begin = terms.offsets[first], count = terms.offsets[first + std::size_t{1}] - begin;
+        for (const Term& term : sorted(std::span(terms.terms).subspan(begin, count)))
+            lists.add(first, term, !is_constant.empty() && is_constant[term.fine_link]);
+    }
+    return in_groups(lists);
+}
+
+SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes) {
+    Incidence touching = incidence(links, nodes);
+    SpringGraph graph;
+    graph.offsets = std::move(touching.offsets);
+    graph.neighbours = std::move(touching.links);
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            const Link& link = links[graph.neighbours[e]];
+            graph.neighbours[e] = link.first == i ? link.second : link.first;
+        }
+    }
+    return graph;
+}
+
+SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
+                              const std::vector<Link>& fine_links, const GalerkinLists& lists) {
+    const std::uint32_t nodes = coarsening.interpolation.coarse;
+    std::vector<std::uint32_t> starts(nodes + std::size_t{1});  // of the links by their first nodes
+    for (const Link& link : lists.links) ++starts[link.first + std::size_t{1}];
+    for (std::uint32_t i = 0; i < nodes; ++i) starts[i + 1] += starts[i];
+
+    std::vector<float> fine_stiffness(fine_links.size());
+    std::vector<float> length(lists.links.size(), std::numeric_limits<float>::infinity());
+    std::size_t number = 0;
+    for (std::uint32_t i = 0; i < fine.nodes(); ++i) {
+        for (std::uint32_t e = fine.offsets[i]; e < fine.offsets[i + 1]; ++e) {
+            const std::uint32_t j = fine.neighbours[e];
+            if (j <= i) continue;
+            fine_stiffness[number++] = fine.stiffness[e];
+            const auto [a, b] = std::minmax(coarsening.owner[i], coarsening.owner[j]);
+            if (a == b) continue;
+            std::uint32_t k = starts[a];
+            while (k < starts[a + 1] && lists.links[k].second < b) ++k;
+            if (k == starts[a + 1] || lists.links[k].second != b) continue;
+            length[k] =
+                std::min(length[k], coarsening.distance[i] + fine.lengths[e] + coarsening.distance[j]);
+        }
+    }
+
+    SpringGraph graph{.offsets = std::vector<std::uint32_t>(nodes + 1),
+                      .neighbours = std::vector<std::uint32_t>(2 * lists.links.size()),
+                      .stiffness = std::vector<float>(2 * lists.links.size()),
+                      .lengths = std::vector<float>(2 * lists.links.size())};
+    const Incidence touching = incidence(lists.links, nodes);
+    graph.offsets = touching.offsets;
+    for (std::uint32_t i = 0; i < nodes; ++i) {
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            const std::uint32_t k = touching.links[e];
+            const Link& link = lists.links[k];
+            float stiffness = 0;
+            const std::uint32_t group = lists.places[k] / Stencil::lanes,
+                                lane = lists.places[k] % Stencil::lanes;
+            for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
+                const std::uint32_t term = s * Stencil::lanes + lane;
+                stiffness += lists.factors[term] * fine_stiffness[lists.fine_links.of(group, term)];
+            }
+            graph.neighbours[e] = link.first == i ? link.second : link.first;
+            graph.stiffness[e] = std::max(stiffness, 0.0f);
+            graph.lengths[e] = length[k];
+        }
+    }
+    return graph;
+}
+
+}  // namespace weft

@@ -1,0 +1,436 @@
+#include "cloth/solver/passes/passes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "cloth/bodies/body_coupling.h"
+#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/sparse/vectors.h"
+
+namespace weft {
+
+namespace {
+
+/// The directions of a pass. A later one that the earlier ones nearly span has no part in it.
+enum Direction : std::size_t { change, motion, correction, direction_count };
+using Coefficients = std::array<double, direction_count>;
+
+/// The linearised step over the space of its directions d: the energy 1/2 c . G c - b . c [J].
+struct SmallSystem {
+    std::array<Coefficients, direction_count> g{};  ///< d_k . W d_m; the lower triangle is read
+    Coefficients b{};                               ///< d_k . b
+};
+
+/// The c of the least energy, by L D L^T.
+Coefficients least_energy(const SmallSystem& s) {
+    constexpr double rounding = 1e-5;
+    std::array<Coefficients, direction_count> l{};
+    Coefficients d{}, y{}, c{};
+    for (std::size_t k = 0; k < direction_count; ++k) {
+        double left = s.g[k][k], right = s.b[k];
+        for (std::size_t m = 0; m < k; ++m) {
+            left -= l[k][m] * l[k][m] * d[m];
+            right -= l[k][m] * y[m];
+        }
+        if (!(s.g[k][k] > 0) || !(left > rounding * s.g[k][k])) continue;  // d, y and the column of l stay 0
+        d[k] = left;
+        y[k] = right;
+        for (std::size_t n = k + 1; n < direction_count; ++n) {
+            double sum = s.g[n][k];
+            for (std::size_t m = 0; m < k; ++m) sum -= l[n][m] * l[k][m] * d[m];
+            l[n][k] = sum / left;
+        }
+    }
+    for (std::size_t k = direction_count; k-- > 0;) {
+        if (d[k] == 0) continue;
+        c[k] = y[k] / d[k];
+        for (std::size_t n = k + 1; n < direction_count; ++n) c[k] -= l[n][k] * c[n];
+    }
+    return c;
+}
+
+/// Velocities of a block's pinned particles, and momenta and energy of the others; last how many, and their
+/// mass.
+VelocitySums sum_velocities(std::span<const Vec4> positions, const Vec4* velocities,
+                            const BlockRange& range) {
+    FourRows pinned = FourRows::Zero(), moving = FourRows::Zero();
+    Eigen::Array<float, 1, 4> energy = Eigen::Array<float, 1, 4>::Zero();
+    for (std::uint32_t i = range.begin; i < range.end; i += 4) {
+        FourRows v = load_four(velocities + i);
+        const Eigen::Array<float, 1, 4> squared = v.square().colwise().sum();
+        v.row(3).setOnes();
+        const Eigen::Array<float, 1, 4> w = load_four(&positions[i]).row(3);
+        const Eigen::Array<float, 1, 4> is_free = (w != 0).cast<float>();
+        const Eigen::Array<float, 1, 4> mass = is_free / (w + (1 - is_free));
+        pinned += v.rowwise() * (1 - is_free);
+        moving += v.rowwise() * mass;
+        energy += 0.5f * mass * squared;
+    }
+    VelocitySums sums;
+    sums.energy = energy.cast<double>().sum();
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        sums.pinned[k] = pinned.row(row).cast<double>().sum();
+        sums.moving[k] = moving.row(row).cast<double>().sum();
+    }
+    sums.pinned[3] -= (4 - range.end % 4) % 4;  // rows behind the last particle are no pins
+    return sums;
+}
+
+/// The solve of one substep.
+class Passes {
+  public:
+    explicit Passes(std::span<const PassMember> members)
+        : members_(members),
+          first_(members.front().step),
+          parallel_(first_.parallel),
+          pairs_(pairs_of(members)),
+          bodies_(first_.equation.bodies) {}
+
+    SolveResult operator()();
+
+  private:
+    using Vector = ScratchArray<Vec4> PassVectors::*;
+
+    /// The members' that have features; null if none of these touch.
+    [[nodiscard]] static PairRows* pairs_of(std::span<const PassMember> members);
+    [[nodiscard]] bool has_pairs(const PassMember& member) const {
+        return pairs_ != nullptr && member.step.equation.pairs != nullptr;
+    }
+    /// work(member, threads): of many members side by side, of few by all threads one after the other.
+    template <class Work>
+    void for_each_member(const Work& work);
+    [[nodiscard]] double tolerated_energy(const Multilevel& method) const;
+    void begin();
+    /// Of all members; velocities(member) is where they are.
+    template <class Velocities>
+    [[nodiscard]] VelocitySums sum_all(const Velocities& velocities) const;
+    [[nodiscard]] Vec4 frame_velocity() const;
+    void linearise();
+    void eliminate_bodies();
+    void let_bodies_follow();
+    /// Minimises the linearised step over v, the last change and, if it is wanted, a cycle's correction.
+    bool minimise(bool with_correction);
+    void subtract(const Coefficients& c);
+    void find_corrections();
+    /// W x of all members, unless `product` is null. with(member) is what x is dotted with.
+    template <class With>
+    Products multiply(Vector x, Vector product, const With& with);
+    double couple(Vector x, Vector product);
+    void move(const Coefficients& c);
+    [[nodiscard]] bool touches_what_is_held() const;
+    void keep_momentum();
+
+    std::span<const PassMember> members_;
+    const SolverStep& first_;  // what all members share is read from it
+    Parallel& parallel_;
+    PairRows* pairs_;  // null: no features touch
+    BodyCoupling* bodies_;
+    int passes_ = 0;   // that were taken
+    double left_ = 0;  // energy that the last pass found beyond its first two directions [J]
+};
+
+}  // namespace
+
+// The energy that is left, b . P b, is the square of Newton's decrement (Deuflhard 2004, "Newton methods for
+// nonlinear problems"): a metric in which a stiff spring counts no more than a soft one. Two passes more than
+// asked for are taken where much is left. After the last pass the springs have turned, so r . v = 0 holds in
+// its linearisation only; where much is left, it is made true once more, without a cycle.
+//
+// BDF2 goes on with a third of what a step changed, and so with a third of what its solve left: limp cloth
+// that crumples in a vacuum gained energy without end, unless solved by six times the passes. Where more than
+// half of the energy of its motion is left, the next step is backward Euler's, which gains none. Flags in
+// wind come to a twentieth of it.
+SolveResult Passes::operator()() {
+    constexpr int most_more = 2;
+    constexpr double much = 0.02;  // of the tolerated energy: 5 to 6 m/s^2 by default
+    constexpr double rough = 0.5;  // of the energy of motion
+    const Multilevel& method = std::get<Multilevel>(first_.settings.method);
+    const double tolerated = tolerated_energy(method);
+    const auto much_is_left = [&] { return left_ > much * tolerated; };
+    begin();
+    while (passes_ < method.passes || (passes_ < method.passes + most_more && much_is_left())) {
+        linearise();
+        if (!minimise(true)) return {.ok = false};
+        ++passes_;
+    }
+    if (much_is_left()) {
+        linearise();
+        if (!minimise(false)) return {.ok = false};
+    }
+    keep_momentum();
+    let_bodies_follow();
+    const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
+    return {.unsolved = left_ > tolerated, .is_rough = left_ > rough * ends.energy};
+}
+
+template <class Work>
+void Passes::for_each_member(const Work& work) {
+    const auto count = static_cast<std::uint32_t>(members_.size()),
+               threads = static_cast<std::uint32_t>(parallel_.width());
+    if (count >= 2 * threads)
+        parallel_.blocks(count, [&](std::uint32_t k) {
+            Parallel alone(1);
+            work(members_[k], alone);
+        });
+    else
+        for (std::uint32_t k = 0; k < count; ++k) work(members_[k], parallel_);
+}
+
+PairRows* Passes::pairs_of(std::span<const PassMember> members) {
+    for (const PassMember& member : members)
+        if (PairRows* const pairs = member.step.equation.pairs; pairs != nullptr)
+            return pairs->empty() ? nullptr : pairs;
+    return nullptr;
+}
+
+double Passes::tolerated_energy(const Multilevel& method) const {
+    double mass = 0;
+    for (const PassMember& member : members_) mass += member.mass;
+    const double velocity =
+        static_cast<double>(method.tolerance) * static_cast<double>(first_.equation.gamma);
+    return mass * velocity * velocity;
+}
+
+void Passes::begin() {
+    const FourRows frame = load(frame_velocity()).array().replicate<1, 4>();
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        const StepEquation& equation = member.step.equation;
+        copy(threads, equation.velocities, member.step.velocities);
+        fill_fours(threads, member.vectors.motion.span(), [&](std::uint32_t i) -> FourRows {
+            const Eigen::Array<float, 1, 4> is_free =
+                (load_four(&equation.positions[i]).row(3) != 0).cast<float>();
+            FourRows motion = (load_four(&equation.velocities[i]) - frame).rowwise() * is_free;
+            motion.row(3).setZero();
+            return motion;
+        });
+    });
+}
+
+template <class Velocities>
+VelocitySums Passes::sum_all(const Velocities& velocities) const {
+    VelocitySums all;
+    for (const PassMember& member : members_) {
+        const std::span<const Vec4> positions = member.step.equation.positions;
+        const Vec4* const v = velocities(member);
+        all = parallel_.reduce(
+            static_cast<std::uint32_t>(positions.size()), member.vectors.partials.span(), all,
+            [&](const BlockRange& range) { return sum_velocities(positions, v, range); }, std::plus<>{});
+    }
+    return all;
+}
+
+/// The mean velocity of what is pinned, or else of all mass. What a group does as a whole is no whipping.
+Vec4 Passes::frame_velocity() const {
+    const VelocitySums all =
+        sum_all([](const PassMember& member) { return member.step.equation.velocities.data(); });
+    const auto& [x, y, z, weight] = all.pinned[3] > 0 ? all.pinned : all.moving;
+    if (!(weight > 0)) return {};
+    return {static_cast<float>(x / weight), static_cast<float>(y / weight), static_cast<float>(z / weight),
+            0};
+}
+
+void Passes::linearise() {
+    const bool is_first = passes_ == 0;
+    const auto timer = first_.timed(Stage::assemble);
+    if (pairs_ != nullptr) {
+        for (const PassMember& member : members_)
+            if (has_pairs(member))
+                pairs_->take(parallel_, member.step.equation.first, member.step.velocities);
+        pairs_->linearise(parallel_);
+    }
+    if (is_first)
+        for (const PassMember& member : members_)
+            member.levels.list_pairs(member.step.equation.pairs, member.step.equation.first);
+    else
+        let_bodies_follow();
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        const StepEquation& equation = member.step.equation;
+        member.system.linearise(threads, equation, member.step.velocities, LinearisedAbout::iterate);
+        if (!is_first) return;
+        const auto levels_timer = member.step.timed(Stage::coarse_operators);
+        member.levels.build(threads, member.system);
+    });
+    eliminate_bodies();
+}
+
+void Passes::eliminate_bodies() {
+    if (bodies_ == nullptr) return;
+    for (std::size_t k = 0; k < members_.size(); ++k) bodies_->gather(k, members_[k].step.velocities);
+    bodies_->eliminate();
+    for (std::size_t k = 0; k < members_.size(); ++k)
+        bodies_->add_to_right_side(k, members_[k].system.right_side().span());
+}
+
+/// Call this whenever velocities have changed.
+void Passes::let_bodies_follow() {
+    if (bodies_ == nullptr) return;
+    for (std::size_t k = 0; k < members_.size(); ++k) bodies_->look(k, members_[k].step.velocities);
+    bodies_->follow();
+}
+
+bool Passes::minimise(bool with_correction) {
+    const auto timer = first_.timed(Stage::solve);
+    const bool has_change = passes_ > 0;
+    SmallSystem s;
+    const auto right_side = [](const PassMember& member) { return member.system.right_side().data(); };
+    const Products of_motion =
+        multiply(&PassVectors::motion, &PassVectors::of_motion,
+                 [&](const PassMember& member) -> DottedWith { return {right_side(member)}; });
+    s.b[motion] = of_motion.dots[0];
+    s.g[motion][motion] = of_motion.x_wx;
+    if (has_change) {
+        const Products of_change = multiply(&PassVectors::change, &PassVectors::of_change,
+                                            [&](const PassMember& member) -> DottedWith {
+                                                return {right_side(member), member.vectors.of_motion.data()};
+                                            });
+        s.b[change] = of_change.dots[0];
+        s.g[motion][change] = of_change.dots[1];
+        s.g[change][change] = of_change.x_wx;
+    }
+    Coefficients c = least_energy(s);
+    if (with_correction) {
+        subtract(c);
+        find_corrections();
+        const Products of_correction =
+            multiply(&PassVectors::correction, nullptr, [&](const PassMember& member) -> DottedWith {
+                return {right_side(member), member.vectors.of_motion.data(),
+                        has_change ? member.vectors.of_change.data() : nullptr};
+            });
+        left_ = of_correction.dots[0];
+        s.g[correction] = {of_correction.dots[2], of_correction.dots[1], of_correction.x_wx};
+        s.b[correction] = left_ + c[motion] * of_correction.dots[1] + c[change] * of_correction.dots[2];
+        if (!std::isfinite(left_)) return false;
+        c = least_energy(s);
+    }
+    if (!std::isfinite(c[motion] + c[change] + c[correction])) return false;
+    move(c);
+    return true;
+}
+
+/// b -= W (the part of the step that these directions are), whose w stays.
+void Passes::subtract(const Coefficients& c) {
+    const auto part = [&](Direction d) -> FourRows {
+        const auto by = static_cast<float>(c[d]);
+        return Eigen::Array4f(by, by, by, 0).replicate<1, 4>();
+    };
+    const FourRows of_motion = part(motion), of_change = part(change);
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        const PassVectors& of = member.vectors;
+        Vec4* const b = member.system.right_side().data();
+        fill_fours(threads, member.system.right_side().span(), [&](std::uint32_t i) -> FourRows {
+            FourRows left = load_four(b + i) - of_motion * load_four(&of.of_motion[i]);
+            if (c[change] != 0) left -= of_change * load_four(&of.of_change[i]);
+            return left;
+        });
+    });
+}
+
+void Passes::find_corrections() {
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        const auto timer = member.step.timed(Stage::cycles);
+        member.levels.cycle(threads, member.system, std::as_const(member.system).right_side().span(),
+                            member.vectors.correction.span());
+    });
+}
+
+template <class With>
+Products Passes::multiply(Vector x, Vector product, const With& with) {
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        member.vectors.products = member.system.multiply_coupled(
+            threads, with(member), std::as_const(member.vectors.*x).span(),
+            product != nullptr ? (member.vectors.*product).span() : std::span<Vec4>());
+    });
+    Products sum;
+    for (const PassMember& member : members_) sum = sum + member.vectors.products;
+    sum.x_wx += couple(x, product);
+    return sum;
+}
+
+/// Adds what features and bodies do to the product, if it is wanted. Returns x . that.
+double Passes::couple(Vector x, Vector product) {
+    double sum = 0;
+    if (pairs_ != nullptr) {
+        for (const PassMember& member : members_)
+            if (has_pairs(member))
+                pairs_->take(parallel_, member.step.equation.first, std::as_const(member.vectors.*x).span());
+        sum += pairs_->multiply(parallel_);
+    }
+    if (bodies_ != nullptr) {
+        for (std::size_t k = 0; k < members_.size(); ++k)
+            bodies_->take(k, std::as_const(members_[k].vectors.*x).span());
+        sum += bodies_->respond();
+    }
+    if (product == nullptr) return sum;
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+        const std::span<Vec4> of = (members_[k].vectors.*product).span();
+        if (has_pairs(members_[k])) pairs_->add_products(parallel_, members_[k].step.equation.first, of);
+        if (bodies_ != nullptr) bodies_->give(k, of);
+    }
+    return sum;
+}
+
+void Passes::move(const Coefficients& c) {
+    const auto by = [&](Direction d) { return static_cast<float>(c[d]); };
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        PassVectors& of = member.vectors;
+        Vec4* const v = member.step.velocities.data();
+        threads.ranges(static_cast<std::uint32_t>(member.step.velocities.size()),
+                       [&](const BlockRange& range) {
+                           for (std::uint32_t i = range.begin; i < range.end; i += 4) {
+                               const FourRows before = load_four(&of.motion[i]);
+                               FourRows more = by(motion) * before;
+                               if (c[change] != 0) more += by(change) * load_four(&of.change[i]);
+                               if (c[correction] != 0) more += by(correction) * load_four(&of.correction[i]);
+                               store_four(more, &of.change[i]);
+                               store_four(before + more, &of.motion[i]);
+                               store_four(load_four(v + i) + more, v + i);
+                           }
+                       });
+    });
+}
+
+/// A piece that is held in whole has no row of its own, but corners of pairs.
+bool Passes::touches_what_is_held() const {
+    const auto is_free = [&](std::uint32_t particle) {
+        return std::ranges::any_of(members_, [&](const PassMember& member) {
+            const StepEquation& equation = member.step.equation;
+            const std::uint32_t i = particle - equation.first;
+            return equation.pairs != nullptr && i < equation.positions.size() && equation.positions[i].w > 0;
+        });
+    };
+    bool any = false;
+    pairs_->for_each_active([&](const PairRows::ActivePair& active) {
+        any = any || !std::ranges::all_of(active.pair.corners, is_free);
+    });
+    return any;
+}
+
+// Free pieces keep their momentum but for gravity and air, whatever their features do to one another. All
+// pieces that touch count as one.
+void Passes::keep_momentum() {
+    const Vector3 origin = xyz(first_.equation.base_positions[0]);
+    PieceSums touching;
+    bool is_held = false;
+    for (const PassMember& member : members_) {
+        member.pieces.weigh(member.step.equation, member.step.velocities, origin);
+        is_held |= member.pieces.add_touching(touching);
+    }
+    is_held = is_held || (pairs_ != nullptr && touches_what_is_held());
+    const RigidChange of_touching = is_held ? RigidChange() : RigidChange(touching);
+    for (const PassMember& member : members_)
+        member.pieces.move(member.step.equation, of_touching, origin, member.step.velocities);
+}
+
+SolveResult solve_by_passes(std::span<const PassMember> members, std::span<float> residuals) {
+    SolveResult result = Passes(members)();
+    for (std::size_t k = 0; k < residuals.size(); ++k)
+        residuals[k] = members[k].residual(members[k].step, &members[k].system);
+    if (!residuals.empty()) result.residual = *std::ranges::max_element(residuals);
+    return result;
+}
+
+}  // namespace weft

@@ -1,0 +1,64 @@
+#pragma once
+// The passes of the multilevel method over a group of cloths that are one equation.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "cloth/equation/implicit_system.h"
+#include "cloth/solver/levels/multigrid.h"
+#include "cloth/solver/passes/momentum.h"
+#include "cloth/solver/solver.h"
+#include "cloth/solver/step_residual.h"
+#include "engine/memory/scratch.h"
+
+namespace weft {
+
+/// Sums over particles: of velocities in the first three, of what they are weighted by in the last.
+struct VelocitySums {
+    std::array<double, 4> pinned{}, moving{};
+    double energy = 0;  ///< kinetic, of those that are not pinned [J]
+
+    friend VelocitySums operator+(VelocitySums l, const VelocitySums& r) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            l.pinned[k] += r.pinned[k];
+            l.moving[k] += r.moving[k];
+        }
+        l.energy += r.energy;
+        return l;
+    }
+};
+
+/// Vectors of one cloth: one Vec4 a particle, w 0; where the particle is pinned, all is 0.
+struct PassVectors {
+    void lay_out(Scratch& scratch, std::uint32_t particles) {
+        for (auto* vector : {&motion, &change, &correction, &of_motion, &of_change})
+            scratch.take(*vector, particles);
+        scratch.take(partials, block_count(particles));
+    }
+
+    ScratchArray<Vec4> motion;                ///< velocity in the group's frame [m/s]
+    ScratchArray<Vec4> change;                ///< of the velocity, in the last pass [m/s]
+    ScratchArray<Vec4> correction;            ///< by a multigrid cycle, of what these two leave [m/s]
+    ScratchArray<Vec4> of_motion, of_change;  ///< W times these [kg m/s]
+    ScratchArray<VelocitySums> partials;      ///< of blocks
+    Products products;                        ///< of the multiplication that was last
+};
+
+/// A cloth of a group: its step, and what its solver owns.
+struct PassMember {
+    const SolverStep& step;
+    ImplicitSystem& system;
+    Multigrid& levels;
+    PassVectors& vectors;
+    FreePieces& pieces;
+    StepResidual& residual;
+    double mass;  ///< [kg]
+};
+
+/// Solves the steps of cloths that touch as one equation. Precondition: gamma, pairs, bodies and threads are
+/// the same in all. The first one's settings say how many passes there are. Each member's residual is written
+/// to `residuals`, unless these are empty; the result's is the greatest.
+SolveResult solve_by_passes(std::span<const PassMember> members, std::span<float> residuals);
+
+}  // namespace weft

@@ -1,0 +1,178 @@
+// How each cloth is taken by a step, where the World has a budget.
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "cloth/stages/choose.h"
+
+namespace weft {
+
+namespace {
+
+// A cloth goes from rung to rung, and stays on each for so many steps: what a rung has left unsolved the next
+// one would solve at once, for all to see. It does not rise soon after it fell, or it would go to and fro.
+constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
+/// It is not looked from nearer [m].
+constexpr float nearest = 0.1f;
+
+/// A cloth may take long steps where nothing that it meets or wears changes before one ends.
+bool can_stride(const Simulation& world, const Cloth& cloth) {
+    return !world.body_stage && !cloth.is_disturbed && !cloth.has_features() && !cloth.state.frame &&
+           !cloth.worn.has_limits() && cloth.attached.empty();
+}
+
+void choose_rungs(Simulation& world) {
+    std::vector<Claim>& claims = world.allotment.claims();
+    claims.clear();
+    const auto now = static_cast<std::uint32_t>(world.state.steps);
+    for (const Cloth* cloth : world.present) {
+        const std::uint32_t rung = cloth->state.detail->rung;
+        const std::uint32_t unchanged = now - cloth->state.detail->since;
+        const std::uint32_t last = can_stride(world, *cloth) ? rung_count - 1 : last_of_rate_1;
+        claims.push_back(
+            {.importance = cloth->settings.priority / std::max(cloth->settings.view_distance, nearest) *
+                           static_cast<float>(cloth->model.particle_count),
+             .costs = cloth->budgeted->costs.all(),
+             .first = std::min(last, rung - (unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
+             .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
+             .rung = rung});
+    }
+    world.allotment.allot(world.headroom.within(1e6f * world.settings.budget) / world.overhead);
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        Cloth& cloth = *world.present[i];
+        const std::uint32_t rung = claims[i].rung;
+        if (rung == cloth.state.detail->rung) continue;
+        cloth.state.detail->go_to(rung, now);
+        cloth.budgeted->costs.change_rung();
+        world.choices.push_back({cloth.id, rung});
+    }
+}
+
+/// A cloth that begins to take long steps takes them where the others leave most room.
+void spread_long_steps(Simulation& world) {
+    std::array<std::uint64_t, greatest_rate> loads{};
+    const auto load = [&](const Cloth& cloth) {
+        loads[cloth.state.detail->phase % greatest_rate] += cloth.model.particle_count;
+    };
+    for (Cloth* cloth : world.present) {
+        std::uint32_t& phase = cloth->state.detail->phase;
+        if (rate_of(cloth->state.detail->rung) == 1) phase = DetailState::no_phase;
+        if (phase != DetailState::no_phase) load(*cloth);
+    }
+    for (Cloth* cloth : world.present) {
+        DetailState& detail = *cloth->state.detail;
+        if (rate_of(detail.rung) == 1 || detail.phase != DetailState::no_phase) continue;
+        detail.phase = static_cast<std::uint32_t>(std::ranges::min_element(loads) - loads.begin());
+        load(*cloth);
+    }
+}
+
+/// Those that may take a long step now do, others stop where they are.
+void choose_rates(Simulation& world) {
+    spread_long_steps(world);
+    for (Cloth* cloth : world.present) {
+        DetailState& detail = *cloth->state.detail;
+        const bool may_stride = can_stride(world, *cloth);
+        if (!may_stride) cloth->land();
+        if (detail.left > 0) continue;
+        const std::uint32_t rate = may_stride ? rate_of(detail.rung) : 1;
+        detail.rate = rate > 1 && world.state.steps % rate == detail.phase % rate ? rate : 1;
+    }
+}
+
+}  // namespace
+
+void choose_details(Simulation& world) {
+    world.began = world.clock();
+    world.choices.clear();
+    if (!world.has_given_choices) choose_rungs(world);
+    choose_rates(world);
+    for (Cloth* cloth : world.present) {
+        if (cloth->is_gliding()) continue;
+        const DetailState& detail = *cloth->state.detail;
+        cloth->budgeted->settings = cloth->settings;
+        cloth->budgeted->settings.method = reduced(cloth->settings.method, detail.rung, detail.rate);
+    }
+}
+
+/// From where a long step began to where it has ended it goes evenly.
+void begin_stride(Simulation& world, Worker& worker, Cloth& cloth) {
+    if (!cloth.state.detail || cloth.state.detail->rate == 1) return;
+    ClothState& now = cloth.state;
+    if (cloth.restored) {
+        now.detail->rate = 1;
+        return;
+    }
+    std::ranges::copy(std::as_const(now.positions).span(), now.ahead.data());
+    std::ranges::copy(std::as_const(now.previous_positions).span(), now.positions.data());
+    now.detail->left = now.detail->rate;
+    glide(world, worker, cloth);
+}
+
+void glide(Simulation& world, Worker& worker, Cloth& cloth) {
+    const auto timer = world.timed(Stage::advance);
+    ClothState& now = cloth.state;
+    const std::uint32_t left = now.detail->left--;
+    const float part = 1 / static_cast<float>(left);
+    worker.parallel.ranges(now.size(), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const Vec4 from = now.positions[i];
+            const Vector3 to = xyz(now.ahead[i]), here = xyz(from);
+            now.previous_positions[i] = from;
+            set_xyz(now.positions[i], left == 1 ? to : Vector3(here + part * (to - here)));
+        }
+    });
+    cloth.extent = survey(worker.parallel, now, cloth.partial_surveys.span());
+    cloth.restored = false;
+    world.update_normals(worker.parallel, cloth);
+}
+
+void Cloth::land() noexcept {
+    if (!is_gliding()) return;
+    state.detail->left = 0;
+    state.record.h = 0;
+}
+
+BudgetBuffers Cloth::make_budget(bool on) const {
+    BudgetBuffers made;
+    if (!on) return made;
+    made.budgeted = std::make_unique<Budgeted>(settings, model.particle_count);
+    made.ahead = AlignedBuffer<Vec4>(model.particle_count);
+    return made;
+}
+
+void Cloth::take_budget(BudgetBuffers&& made) noexcept {
+    land();
+    budgeted = std::move(made.budgeted);
+    state.ahead = std::move(made.ahead);
+    state.detail.reset();
+    if (budgeted) state.detail.emplace();
+}
+
+void learn_costs(Simulation& world) {
+    float took = 0;
+    for (Cloth* cloth : world.present) {
+        Budgeted& of = *cloth->budgeted;
+        const DetailState& detail = *cloth->state.detail;
+        const auto cost =
+            static_cast<float>(world.cost_of != nullptr ? world.cost_of(*cloth) : cloth->nanoseconds);
+        took += cost;
+        of.spent += cost;
+        ++of.steps;
+        if (detail.left > 0) continue;
+        // One that was to take long steps, and could not, says nothing of these.
+        if (detail.rate == rate_of(detail.rung))
+            of.costs.add(detail.rung, of.spent / static_cast<float>(of.steps));
+        of.spent = 0;
+        of.steps = 0;
+    }
+    if (!(took > 0)) return;
+    const float ratio =
+        world.cost_of != nullptr ? 1.0f : static_cast<float>(world.clock() - world.began) / took;
+    if (const float known = world.allotment.spent(); known > 0)
+        world.headroom.add(ratio * took / (world.overhead * known));
+    world.overhead += (std::clamp(ratio, 0.5f * world.overhead, 2 * world.overhead) - world.overhead) / 32;
+}
+
+}  // namespace weft

@@ -1,0 +1,263 @@
+// Which cloths a step takes: those that are enabled and awake. Cloth that has been still for a while sleeps
+// with all that it touches, until something near it moves, or the host changes what it feels.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include "cloth/stages/sleep.h"
+#include "cloth/stages/step_bodies.h"
+#include "collision/shapes/moving_shapes.h"
+#include "engine/bounds.h"
+
+namespace weft {
+
+namespace {
+
+/// How long a cloth has to be still before it sleeps [s].
+constexpr float time_to_sleep = 0.5f;
+/// What is farther from a sleeping cloth than its thickness and this does not wake it [m].
+constexpr float wakes_within = 1e-3f;
+
+Bounds box_of(const Cloth& cloth) {
+    return {cloth.extent.lower, cloth.extent.upper};
+}
+
+/// Where features of the cloth may meet others in a step; empty without features.
+Bounds reach_of(const Cloth& cloth, const Vector3& gravity, float dt) {
+    if (!cloth.has_features()) return {{1, 1, 1}, {-1, -1, -1}};
+    const float way = (std::sqrt(cloth.extent.peak_speed_squared) + gravity.norm() * dt) * dt;
+    return grown(box_of(cloth), cloth.as_body().radius + way);
+}
+
+bool are_alike(std::span<const Vec4> a, std::span<const Vec4> b) {
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+/// Of any particle in the step [m].
+float farthest_way(const ClothState& state) {
+    const auto now = std::as_const(state.positions).span(),
+               before = std::as_const(state.previous_positions).span();
+    float squared = 0;
+    for (std::size_t i = 0; i < now.size(); ++i)
+        squared = std::max(squared, (xyz(now[i]) - xyz(before[i])).squaredNorm());
+    return std::sqrt(squared);
+}
+
+/// Whether a cloth meets the collider, as it is at the end of the motion, on the way or where that ends.
+bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
+    const Collider& collider = motion.end;
+    if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return false;
+    return with_shapes(motion, [&](const auto& start, const auto& end) {
+        return may_meet(start, end, Pace{dt, max_speed},
+                        Reach{cloth.settings.thickness + collider.thickness, wakes_within},
+                        BlockPaths{box_of(cloth), 0})
+            .has_value();
+    });
+}
+
+bool is_near(const Collider& collider, const HeldShape* held, const Cloth& cloth) {
+    ColliderMotion motion{collider, collider, 0};
+    motion.held = held;
+    return is_near(motion, cloth, 1, 0);
+}
+
+bool have_same_shape(const Collider& a, const Collider& b) {
+    const auto is_same = [&]<class Shape>(const Shape& of_b) {
+        static_assert(std::is_trivially_copyable_v<Shape>);
+        const auto* const of_a = std::get_if<Shape>(&a.shape);
+        return of_a != nullptr && std::memcmp(&of_b, of_a, sizeof of_b) == 0;
+    };
+    return std::visit(is_same, b.shape);
+}
+
+/// Resting cloth feels no difference between the two but that of the shape.
+bool have_same_surface(const Collider& a, const Collider& b) {
+    return a.friction == b.friction && a.thickness == b.thickness && a.restitution == b.restitution &&
+           a.layers == b.layers && a.is_trigger == b.is_trigger;
+}
+
+/// Box around the vertices of a deforming shape's instance, as they are before they move.
+Box box_before(const PlacedShape& placed, const HeldShape& held) {
+    const HeldShape::Deformation deformation = held.deformation();
+    Eigen::AlignedBox3f box;
+    for (std::size_t v = 0; v < deformation.vertices.size(); ++v)
+        box.extend(to_vector(deformation.vertices[v]) - to_vector(deformation.displacements[v]));
+    const Vector3 centre = to_vector(placed.position) + unit(placed.rotation) * box.center();
+    return {to_vec3(centre), placed.rotation, to_vec3(0.5f * box.diagonal())};
+}
+
+bool is_moved_by_host(const Cloth& cloth) {
+    const ClothState& state = cloth.state;
+    const auto moves = [&](const Pin& pin) { return pin.target != xyz(state.positions[pin.particle]); };
+    if (std::ranges::any_of(state.pins, moves)) return true;
+    if (state.frame && std::memcmp(&state.frame->pose, &state.frame->target, sizeof(Transform)) != 0)
+        return true;
+    return !are_alike(state.skin.places.span(), state.skin.target_places.span()) ||
+           !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
+}
+
+/// Cloths that are disturbed, and all where the air is gusty, are not still.
+void wake_disturbed(Simulation& world, bool is_gusty) {
+    for (Cloth* cloth : world.present)
+        if (cloth->state.rest && (is_gusty || cloth->is_disturbed)) cloth->wake();
+}
+
+/// Marks the cloths, of those that may sleep or take long steps, that the host moves in this step, or that
+/// are near a body, or near a collider that changes in this step.
+void find_disturbed(Simulation& world, float dt) {
+    const auto for_all = [&](const auto& disturbed) {
+        for (Cloth* cloth : world.present)
+            if (cloth->state.rest || cloth->state.detail)
+                cloth->is_disturbed = cloth->is_disturbed || disturbed(*cloth);
+    };
+    for (Cloth* cloth : world.present) cloth->is_disturbed = false;
+    for_all(is_moved_by_host);
+    if (world.body_stage) for_all([&](const Cloth& cloth) { return is_near_bodies(world, cloth, dt); });
+    world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        const HeldShape* const held = world.held_by(slot.target);
+        const bool deforms = held != nullptr && held->deforms_in(world.state.steps);
+        if (!deforms && have_same_shape(slot.current, slot.target) &&
+            have_same_surface(slot.current, slot.target))
+            return;
+        // Support leaves from where the collider was, with the surface that it had there.
+        for_all([&](const Cloth& cloth) { return is_near(slot.current, held, cloth); });
+        Collider before = slot.current;
+        if (deforms) {
+            before.shape = box_before(*std::get_if<PlacedShape>(&slot.current.shape), *held);
+            for_all([&](const Cloth& cloth) { return is_near(before, nullptr, cloth); });
+        }
+        ColliderMotion motion{slot.current, slot.target, world.settings.max_speed};
+        motion.held = held;
+        for_all([&](const Cloth& cloth) { return is_near(motion, cloth, dt, world.settings.max_speed); });
+    });
+}
+
+// Cloths that may touch sleep together and wake together, so that none lies on what only seems to be still.
+void sleep_and_wake(Simulation& world, float dt) {
+    world.boxes.clear();
+    for (const Cloth* cloth : world.present)
+        world.boxes.push_back(reach_of(*cloth, to_vector(world.settings.gravity), dt));
+    world.group_finder.find(world.boxes, [&](std::uint32_t i, std::uint32_t j) {
+        return may_meet(*world.present[i], *world.present[j]);
+    });
+    const std::span<const std::uint32_t> first_of = world.group_finder.first_of();
+    world.still_for.assign(world.present.size(), std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        float& least = world.still_for[first_of[i]];
+        least = std::min(least, world.present[i]->still_for());
+    }
+    for (std::size_t i = 0; i < world.present.size(); ++i) {
+        Cloth& cloth = *world.present[i];
+        const bool is_to_sleep = world.still_for[first_of[i]] >= time_to_sleep;
+        if (is_to_sleep && !cloth.is_asleep()) cloth.fall_asleep();
+        if (!is_to_sleep && cloth.is_asleep()) cloth.wake();
+    }
+}
+
+}  // namespace
+
+void choose_present(Simulation& world, float dt) {
+    world.present.clear();
+    bool any_can_sleep = false;
+    world.cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
+        cloth->id = id;
+        if (!cloth->settings.enabled) return;
+        world.present.push_back(cloth.get());
+        any_can_sleep |= cloth->state.rest.has_value();
+    });
+    const bool is_gusty = world.air_is_on() && world.settings.wind.gust > 0 &&
+                          !to_vector(world.settings.wind.velocity).isZero(0);
+    if ((any_can_sleep && !is_gusty) || world.settings.budget > 0) find_disturbed(world, dt);
+    if (!any_can_sleep) return;
+    wake_disturbed(world, is_gusty);
+    sleep_and_wake(world, dt);
+    const auto sleeping = std::erase_if(world.present, [](const Cloth* cloth) { return cloth->is_asleep(); });
+    world.report.sleeping_cloths = static_cast<std::uint32_t>(sleeping);
+}
+
+void count_still_time(Cloth& cloth, float dt) {
+    if (!cloth.state.rest) return;
+    const float limit = cloth.settings.sleep_speed;
+    float& still_for = cloth.state.rest->still_for;
+    const bool is_still =
+        !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < limit * limit;
+    still_for = is_still ? still_for + dt : 0.0f;
+    // What comes out of a collider goes without a velocity.
+    if (still_for >= time_to_sleep && cloth.collider_contacts > 0 && farthest_way(cloth.state) > limit * dt)
+        still_for = 0;
+}
+
+void Simulation::wake_all() noexcept {
+    cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->wake(); });
+}
+
+void Simulation::wake_near(const Collider& collider) noexcept {
+    const HeldShape* const held = held_by(collider);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (cloth->state.rest && is_near(collider, held, *cloth)) cloth->wake();
+    });
+}
+
+void Simulation::wake_near(const Cloth& gone) noexcept {
+    mark_near(gone);
+    wake_marked();
+}
+
+void Simulation::mark_near(const Cloth& changing) noexcept {
+    const Bounds bounds = reach_of(changing, Vector3::Zero(), 0);
+    cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
+        cloth->is_disturbed = cloth.get() != &changing && changing.has_features() && cloth->has_features() &&
+                              may_meet(changing, *cloth) &&
+                              overlap(bounds, reach_of(*cloth, Vector3::Zero(), 0));
+    });
+}
+
+void Simulation::wake_marked() noexcept {
+    cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) {
+        if (cloth->is_disturbed) cloth->wake();
+    });
+}
+
+bool Cloth::is_asleep() const noexcept {
+    return state.rest && state.rest->asleep != 0;
+}
+
+float Cloth::still_for() const noexcept {
+    return state.rest ? state.rest->still_for : 0.0f;
+}
+
+void Cloth::wake() noexcept {
+    if (state.rest) *state.rest = {};
+}
+
+void Cloth::set_enabled(bool on) noexcept {
+    if (on == settings.enabled) return;
+    settings.enabled = on;
+    wake();
+    if (!on) stand_still();
+    // What it meets may have gone through it meanwhile, and what it is worn on may have gone away.
+    if (has_features()) state.may_cross = 1;
+    if (state.frame) *state.frame = {.pose = state.frame->target, .target = state.frame->target};
+    state.skin.stand_still();
+}
+
+// It stays where it is drawn, and when it wakes it begins from rest.
+void Cloth::fall_asleep() noexcept {
+    state.rest->asleep = 1;
+    stand_still();
+}
+
+void Cloth::stand_still() noexcept {
+    std::ranges::copy(std::as_const(state.positions).span(), state.previous_positions.data());
+    std::ranges::fill(state.velocities.span(), Vec4{});
+    state.record.h = 0;
+    land();
+    extent.peak_speed_squared = 0;
+}
+
+}  // namespace weft

@@ -1,0 +1,176 @@
+// What of a step belongs to frames that carry cloths, and to the limits of worn cloth.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cloth/mesh/coordinates.h"
+#include "cloth/stages/step_bodies.h"
+#include "cloth/stages/worn_step.h"
+#include "collision/shapes/moving_shapes.h"
+
+namespace weft {
+
+namespace {
+
+/// Whether rounding at its place can take the gap that features are kept at.
+bool rounds_gaps_away(const Cloth& cloth) {
+    const Vec3 &lower = cloth.extent.lower, &upper = cloth.extent.upper;
+    const float farthest = std::max({-lower.x, -lower.y, -lower.z, upper.x, upper.y, upper.z});
+    constexpr float step = 0x1p-22f;
+    return step * farthest > 0.125f * cloth.as_body().floor;
+}
+
+/// Round the cloth where it is and where it is carried to.
+Eigen::AlignedBox3d box_over_carry(const Cloth& cloth) {
+    const Eigen::AlignedBox3d here(to_vector(cloth.extent.lower).cast<double>(),
+                                   to_vector(cloth.extent.upper).cast<double>());
+    Eigen::AlignedBox3d box = here;
+    if (!cloth.carried || here.isEmpty()) return box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.extend(cloth.carried->by.turn *
+                       here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
+                   cloth.carried->by.shift);
+    return box;
+}
+
+bool stays_within_reach(const Cloth& cloth) {
+    const Eigen::AlignedBox3d box = box_over_carry(cloth);
+    return box.isEmpty() ||
+           box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() <= double{runaway_distance};
+}
+
+/// Whether features of one may be carried across those of the other.
+bool may_be_carried_across(const Cloth& a, const Cloth& b) {
+    const auto reach = static_cast<double>(a.as_body().radius + b.as_body().radius);
+    return box_over_carry(a).exteriorDistance(box_over_carry(b)) <= reach;
+}
+
+bool are_carried_alike(const Cloth& a, const Cloth& b) {
+    if (a.carried.has_value() != b.carried.has_value()) return false;
+    return !a.carried ||
+           (a.carried->by.turn == b.carried->by.turn && a.carried->by.shift == b.carried->by.shift);
+}
+
+bool is_moved(const Cloth& cloth) {
+    return cloth.carried && cloth.carried->moves;
+}
+
+/// Over the substep, as a cloth that is carried before the step sees them; null: as they are.
+void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions, std::uint32_t mask,
+                  const Substep& substep, const Carried* carried) {
+    motions.clear();
+    world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.target.is_trigger || (slot.target.layers & mask) == 0) return;
+        if (world.body_stage && world.state.bodies.find(slot.body) != nullptr) return;
+        const Collider from =
+            carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
+        ColliderMotion& motion =
+            motions.emplace_back(ColliderMotion{from, slot.target, world.settings.max_speed});
+        motion.held = world.held_by(slot.target);
+        // A collider that jumps is at its target from the first substep on: half way it would meet what lies
+        // there.
+        if (!has_jumped(motion, substep.h * static_cast<float>(substep.count))) {
+            motion.start = blend(from, slot.target, substep.begin());
+            motion.end = blend(from, slot.target, substep.end());
+        } else if (!substep.is_first()) {
+            motion.start = slot.target;
+        }
+        if (motion.held != nullptr && motion.held->deforms_in(world.state.steps))
+            motion.rate = 1 / (substep.h * static_cast<float>(substep.count));
+        motion.filled = filled_by(motion);
+    });
+}
+
+}  // namespace
+
+// Cloth that is carried across another, or so far off that rounding can make features cross, may cross
+// something then.
+void plan_carries(Simulation& world, float dt) {
+    bool any = false;
+    for (Cloth* cloth : world.present) {
+        cloth->carried.reset();
+        if (!cloth->state.frame) continue;
+        cloth->carried = carry_of(*cloth->state.frame, cloth->settings.frame_inertia, dt);
+        if (!is_moved(*cloth)) continue;
+        any = true;
+        if (stays_within_reach(*cloth)) continue;
+        cloth->carried.reset();
+        cloth->solver_failed = true;  // guard() stops it where it is
+    }
+    if (!any) return;
+    for (Cloth* cloth : world.present)
+        if (is_moved(*cloth) && cloth->has_features() && rounds_gaps_away(*cloth)) cloth->state.may_cross = 1;
+    if (world.featured_cloths < 2) return;
+    for (Cloth* cloth : world.present) {
+        if (!is_moved(*cloth) || !cloth->has_features()) continue;
+        for (const Cloth* other : world.present)
+            if (other != cloth && other->has_features() && !are_carried_alike(*cloth, *other) &&
+                may_be_carried_across(*cloth, *other))
+                cloth->state.may_cross = 1;
+    }
+}
+
+/// Finds how colliders move that a set's cloths may meet; a cloth that is carried sees them its own way.
+void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* const> set,
+                   const Substep& substep) {
+    std::uint32_t mask = 0;
+    bool with_bodies = false;
+    for (const Cloth* cloth : set) {
+        mask |= cloth->settings.collider_mask;
+        with_bodies = with_bodies || cloth->meets_bodies;
+    }
+    if (worker.seen_layers != mask || worker.seen_over != substep)
+        fill_motions(world, worker.motions, mask, substep, nullptr);
+    worker.seen_layers = mask;
+    worker.seen_over = substep;
+    for (Cloth* cloth : set)
+        if (cloth->carried)
+            fill_motions(world, cloth->seen_colliders, cloth->settings.collider_mask, substep,
+                         &*cloth->carried);
+    if (!with_bodies) return;
+    add_carried_motions(world, colliders_of(worker, *set.front()), mask, substep);
+    worker.seen_over = {0, 0, 0};
+}
+
+void begin_contacts(const Worker& worker, Cloth& cloth, const ClothSide& side, const Substep& part) {
+    const bool has_own = cloth.worn.has_limits();
+    if (has_own) cloth.worn.begin(cloth.state.skin, part.end(), part.h * static_cast<float>(part.count));
+    if (!cloth.contacts) return;
+    cloth.contacts->begin(colliders_in_equation(worker, cloth), side, cloth.state.held,
+                          has_own ? &cloth.worn : nullptr);
+}
+
+void hold_worn(Simulation& world, Worker& worker, Cloth& cloth) {
+    if (!cloth.worn.is_holding()) return;
+    const auto timer = world.timed(Stage::limits);
+    cloth.worn.hold(worker.parallel, cloth.state.positions.span(), cloth.state.velocities.span());
+}
+
+/// Once the step has ended: how far limits gave way to cloth, and what the next step begins with.
+void end_worn(Worker& worker, Cloth& cloth) {
+    cloth.limit_lag = {};
+    if (cloth.worn.is_holding() && cloth.has_features() && !cloth.restored)
+        cloth.limit_lag = cloth.worn.lag(worker.parallel, std::as_const(cloth.state.positions).span());
+    SkinState& skin = cloth.state.skin;
+    if (skin.known != 0) skin.stand_still();
+    if (cloth.carried) leave_start_behind(worker.parallel, *cloth.carried, cloth.state);
+}
+
+void Simulation::set_frame(Cloth& cloth, const Transform& pose) {
+    if (!cloth.state.frame) {
+        cloth.seen_colliders.reserve(state.colliders.size());
+        cloth.state.frame = FrameState{.pose = pose, .target = pose};
+    }
+    cloth.state.frame->target = pose;
+}
+
+void Simulation::move(Cloth& cloth, const RigidMotion& by) {
+    move_all(parallel, by, cloth.state);
+    cloth.state.may_cross = cloth.has_features() ? 1 : 0;
+    // A step begins with the triangles' normals that the last one ended with.
+    update_normals(parallel, cloth);
+    cloth.extent = survey(parallel, cloth.state, cloth.partial_surveys.span());
+}
+
+}  // namespace weft

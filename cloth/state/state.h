@@ -1,0 +1,234 @@
+#pragma once
+// All that changes from step to step. What is not in here is made from the mesh and the settings, or anew in
+// each step: a World that gets a copy of its state back goes on with the same bytes.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "cloth/state/held_contacts.h"
+#include "cloth/state/skin_state.h"
+#include "collision/contact/crossings/tangles.h"
+#include "engine/memory/aligned_buffer.h"
+#include "engine/slot_map.h"
+#include "engine/vector.h"
+#include "weft/body.h"
+#include "weft/collider.h"
+#include "weft/transform.h"
+#include "weft/types.h"
+
+namespace weft {
+
+/// A pinned particle and where it shall be at the end of the next step [m].
+struct Pin {
+    std::uint32_t particle;
+    Vector3 target;
+};
+
+/// What BDF2 knows of the last step; empty without it.
+struct StepRecord {
+    float h = 0;                           ///< its length [s]; 0: there was none
+    AlignedBuffer<Vec4> displacements;     ///< [m]
+    AlignedBuffer<Vec4> velocity_changes;  ///< [m/s]
+    AlignedBuffer<Vec4> arrivals;          ///< where it ended [m]
+
+    StepRecord() = default;
+    explicit StepRecord(std::uint32_t particles)
+        : displacements(particles), velocity_changes(particles), arrivals(particles) {}
+    StepRecord(std::uint32_t particles, Unmade later)
+        : displacements(particles, later), velocity_changes(particles, later), arrivals(particles, later) {}
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return displacements.bytes() + velocity_changes.bytes() + arrivals.bytes();
+    }
+};
+
+/// How still a cloth is.
+struct Rest {
+    float still_for = 0;  ///< no particle has been fast [s]
+    std::uint32_t asleep = 0;
+};
+
+/// By how much less than it is set to a cloth is stepped.
+struct DetailState {
+    std::uint32_t rung = 0;  ///< see budget/ladder.h
+    std::uint32_t rate = 1;  ///< steps that its last one was long
+    std::uint32_t left = 0;  ///< of these, in which it is still to move on
+    /// It takes long steps where the World's number of steps leaves this; none: it takes none.
+    std::uint32_t phase = no_phase;
+    static constexpr std::uint32_t no_phase = ~0u;
+    std::uint32_t since = 0;  ///< the World's step in which its rung changed
+
+    void go_to(std::uint32_t other, std::uint32_t step) noexcept {
+        rung = other;
+        since = step;
+    }
+};
+
+/// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.
+struct FrameState {
+    Transform pose, target;
+    Vec3 velocity{}, velocity_change{};  ///< [m/s]; the change in the last part of the last step
+};
+
+/// What a cloth gave a body [N s, N m s].
+struct BodyShare {
+    std::array<float, 6> last{};  ///< in the last substep
+    std::array<float, 6>
+        echo{};  ///< in its last equation, of which BDF2 gives a part more in the next, see Bdf
+};
+
+/// One cloth's. Loose and pinned particles have inverse mass 0.
+struct ClothState {
+    AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
+    AlignedBuffer<Vec4> previous_positions;  ///< at the start of the step, w likewise
+    AlignedBuffer<Vec4> velocities;          ///< x y z [m/s], w 0
+    AlignedBuffer<Vec4> normals;             ///< x y z of unit length, w 0
+    std::vector<Pin> pins;                   ///< in ascending order of particles
+    std::optional<FrameState> frame;         ///< only if it lives in one
+    SkinState skin;
+    StepRecord record;                    ///< only with BDF2
+    HeldContacts held;                    ///< only with colliders, and if the solver is implicit
+    AlignedBuffer<TangleMemory> tangles;  ///< only with contact
+    std::vector<BodyShare> shares;        ///< of each body, in the order of their ids
+    /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
+    std::uint32_t may_cross = 0;
+    std::optional<Rest> rest;           ///< only where it may fall asleep
+    std::optional<DetailState> detail;  ///< only with a budget
+    AlignedBuffer<Vec4> ahead;          ///< likewise: where its last step ended, if it was long
+    std::uint32_t halved = 0;           ///< steps still to be taken in halves, since contact cut much of late
+
+    ClothState() = default;
+    explicit ClothState(std::uint32_t particles)
+        : positions(particles), previous_positions(particles), velocities(particles), normals(particles) {}
+    /// Of use to be copied alone: only places have memory.
+    ClothState(std::uint32_t particles, Unmade later)
+        : positions(particles),
+          previous_positions(particles),
+          velocities(particles, later),
+          normals(particles, later) {}
+
+    [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(positions.size()); }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return positions.bytes() + previous_positions.bytes() + velocities.bytes() + normals.bytes() +
+               ahead.bytes() + pins.capacity() * sizeof(Pin) + record.bytes() + held.bytes() + skin.bytes() +
+               tangles.bytes() + shares.capacity() * sizeof(BodyShare);
+    }
+};
+
+/// A collider now, and where the host wants it at the end of the next step.
+struct ColliderSlot {
+    Collider current, target;
+    BodyId body{};   ///< that carries it; null: none
+    Collider own{};  ///< then: in the body's frame
+};
+
+struct BodySlot {
+    BodySettings settings;
+    BodyState state;
+};
+
+/// What a World has besides its cloths.
+struct WorldState {
+    explicit WorldState(SlotMap<ColliderId, ColliderSlot>&& no_colliders)
+        : colliders(std::move(no_colliders)) {}
+
+    std::uint64_t steps = 0;            ///< taken since the World was made
+    double time = 0;                    ///< [s] since then
+    std::array<double, 3> wind_path{};  ///< path of the mean wind since then [m]
+    SlotMap<ColliderId, ColliderSlot> colliders;
+    SlotMap<BodyId, BodySlot> bodies{new_first_generation()};
+};
+
+template <class Pins, class Visit>
+void visit_pins(Pins& pins, const Visit& visit) {
+    for (auto& pin : pins) {
+        visit(std::span(&pin.particle, 1));
+        visit(std::span(pin.target.data(), 3));
+    }
+}
+
+/// visit(span) for every part of a state, in one order: for hashing, writing out, and reading back. `State`
+/// may be const.
+template <class State, class Visit>
+requires std::same_as<std::remove_const_t<State>, ClothState>
+void for_each_part(State& state, const Visit& visit) {
+    visit(state.positions.span());
+    visit(state.previous_positions.span());
+    visit(state.velocities.span());
+    visit(state.normals.span());
+    visit_pins(state.pins, visit);
+    if (state.frame) visit(std::span(&*state.frame, 1));
+    visit(std::span(&state.record.h, 1));
+    visit(state.record.displacements.span());
+    visit(state.record.velocity_changes.span());
+    visit(state.record.arrivals.span());
+    visit(state.held.normals.span());
+    visit(state.held.rubbed.span());
+    visit(state.held.loads.span());
+    visit(state.held.touching.span());
+    if (!state.shares.empty()) visit(std::span(state.shares));
+    if (state.rest) visit(std::span(&*state.rest, 1));
+    if (state.detail) {
+        visit(std::span(&*state.detail, 1));
+        visit(state.ahead.span());
+    }
+    if (state.skin.places.size() > 0) {
+        visit(std::span(&state.skin.known, 1));
+        for (auto* buffer :
+             {&state.skin.places, &state.skin.target_places, &state.skin.normals, &state.skin.target_normals})
+            visit(buffer->span());
+    }
+    if (state.tangles.size() == 0) return;
+    visit(state.tangles.span());
+    visit(std::span(&state.may_cross, 1));
+    visit(std::span(&state.halved, 1));
+}
+
+/// Which shape an instance is of does not change, and its id is another in every World.
+template <class Kind, class Visit>
+void visit_shape(Kind& shape, const Visit& visit) {
+    if constexpr (std::same_as<std::remove_const_t<Kind>, PlacedShape>) {
+        visit(std::span(&shape.position, 1));
+        visit(std::span(&shape.rotation, 1));
+    } else {
+        visit(std::span(&shape, 1));
+    }
+}
+
+/// What a collider's surface is besides rough. A visitor that says so does without what is as it is by
+/// default: a hash stays what it was before there was any of this.
+template <class Kind, class Visit>
+void visit_surface(Kind& collider, const Visit& visit) {
+    if constexpr (requires { Visit::skips_defaults; }) {
+        const Collider plain;
+        if (collider.thickness == plain.thickness && collider.restitution == plain.restitution &&
+            collider.layers == plain.layers && collider.is_trigger == plain.is_trigger)
+            return;
+    }
+    visit(std::span(&collider.thickness, 1));
+    visit(std::span(&collider.restitution, 1));
+    visit(std::span(&collider.layers, 1));
+    visit(std::span(&collider.is_trigger, 1));
+}
+
+template <class State, class Visit>
+requires std::same_as<std::remove_const_t<State>, WorldState>
+void for_each_part(State& state, const Visit& visit) {
+    visit(std::span(&state.steps, 1));
+    visit(std::span(&state.time, 1));
+    visit(std::span(state.wind_path));
+    state.colliders.for_each([&](ColliderId, auto& slot) {
+        for (auto* collider : {&slot.current, &slot.target}) {
+            visit(std::span(&collider->friction, 1));
+            visit_surface(*collider, visit);
+            std::visit([&](auto& shape) { visit_shape(shape, visit); }, collider->shape);
+        }
+    });
+    state.bodies.for_each([&](BodyId, auto& slot) { visit(std::span(&slot.state, 1)); });
+}
+
+}  // namespace weft

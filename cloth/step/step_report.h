@@ -1,0 +1,11 @@
+#pragma once
+// What a step says of each cloth, and of all of them.
+
+#include "cloth/simulation/simulation.h"
+
+namespace weft {
+
+/// Adds a cloth's report to that of the step.
+void add_to_report(StepReport& report, const ClothReport& cloth);
+
+}  // namespace weft

@@ -1,0 +1,188 @@
+// The public World: bodies.
+
+#include <cmath>
+
+#include "cloth/record/world_calls.h"
+#include "cloth/settings/validate.h"
+#include "engine/error_text.h"
+#include "engine/memory/without_exceptions.h"
+
+namespace weft {
+
+BodyPose pose_of(const BodyState& state) {
+    const Rotation& r = state.rotation;
+    return {to_vector(state.position), Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized()};
+}
+
+namespace {
+
+// Written so that what is not a number fails.
+
+Result<void> validate_within(const char* name, float value, float least, float most,
+                             const char* requirement) {
+    if (!(value >= least && value <= most))
+        return out_of_range(name, static_cast<double>(value), requirement);
+    return {};
+}
+
+}  // namespace
+
+Result<void> validate(const BodySettings& settings) {
+    if (!(settings.mass == 0 || (settings.mass >= 1e-6f && settings.mass <= 1e9f)))
+        return out_of_range("BodySettings::mass", static_cast<double>(settings.mass),
+                            "0, or from 1e-6 to 1e9 kg");
+    for (const float inertia : {settings.inertia.x, settings.inertia.y, settings.inertia.z})
+        if (!(inertia == 0 || (inertia >= 1e-12f && inertia <= 1e12f)))
+            return out_of_range("BodySettings::inertia", settings.inertia,
+                                "0, or from 1e-12 to 1e12 kg m^2, about each axis");
+    if (auto valid = validate_within("BodySettings::gravity_scale", settings.gravity_scale, -1000, 1000,
+                                     "from -1000 to 1000");
+        !valid)
+        return valid;
+    if (auto valid = validate_within("BodySettings::damping", settings.damping, 0, 1e6f, "from 0 to 1e6 1/s");
+        !valid)
+        return valid;
+    return validate_within("BodySettings::angular_damping", settings.angular_damping, 0, 1e6f,
+                           "from 0 to 1e6 1/s");
+}
+
+Result<void> validate(const BodyState& state) {
+    if (auto valid = validate_point("BodyState::position", state.position); !valid) return valid;
+    const Rotation& r = state.rotation;
+    const float length = Eigen::Vector4f(r.x, r.y, r.z, r.w).stableNorm();
+    if (!(length >= 0.999f && length <= 1.001f))
+        return out_of_range("the length of BodyState::rotation", static_cast<double>(length),
+                            "from 0.999 to 1.001");
+    const auto is_slow = [](const Vec3& v) {
+        return std::abs(v.x) <= 1e4f && std::abs(v.y) <= 1e4f && std::abs(v.z) <= 1e4f;
+    };
+    if (!is_slow(state.velocity))
+        return out_of_range("BodyState::velocity", state.velocity, "up to 1e4 m/s on each axis");
+    if (!is_slow(state.angular_velocity))
+        return out_of_range("BodyState::angular_velocity", state.angular_velocity,
+                            "up to 1e4 rad/s about each axis");
+    return {};
+}
+
+namespace {
+
+/// Calls `use` with the slot of a body.
+template <class Simulation, class Use>
+auto with_body(Simulation& simulation, BodyId id, const Use& use)
+    -> decltype(use(*simulation.state.bodies.find(id))) {
+    return without_exceptions([&]() -> decltype(use(*simulation.state.bodies.find(id))) {
+        auto* const slot = simulation.state.bodies.find(id);
+        if (slot == nullptr) return stale_id("BodyId", id);
+        return use(*slot);
+    });
+}
+
+}  // namespace
+
+Result<BodyId> World::add_body(const BodySettings& settings, const BodyState& state) {
+    return impl_->change(Call::add_body, settings, state)([&]() -> Result<BodyId> {
+        if (const auto valid = validate(settings); !valid) return valid.error();
+        if (const auto valid = validate(state); !valid) return valid.error();
+        return impl_->simulation.add_body({settings, state});
+    });
+}
+
+Result<void> World::remove_body(BodyId id) {
+    return impl_->change(Call::remove_body, id)([&] {
+        return with_body(impl_->simulation, id, [&](BodySlot&) -> Result<void> {
+            impl_->simulation.remove_body(id);
+            return {};
+        });
+    });
+}
+
+Result<BodySettings> World::body_settings(BodyId id) const {
+    return with_body(impl_->simulation, id,
+                     [](const BodySlot& slot) { return Result<BodySettings>(slot.settings); });
+}
+
+Result<void> World::set_body_settings(BodyId id, const BodySettings& settings) {
+    return impl_->change(Call::set_body_settings, id, settings)([&] {
+        return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
+            if (auto valid = validate(settings); !valid) return valid;
+            slot.settings = settings;
+            return {};
+        });
+    });
+}
+
+Result<BodyState> World::body_state(BodyId id) const {
+    return impl_->read("body_state", [&] {
+        return with_body(impl_->simulation, id,
+                         [](const BodySlot& slot) { return Result<BodyState>(slot.state); });
+    });
+}
+
+Result<void> World::set_body_state(BodyId id, const BodyState& state) {
+    return impl_->change(Call::set_body_state, id, state)([&] {
+        return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
+            if (auto valid = validate(state); !valid) return valid;
+            slot.state = state;
+            impl_->simulation.place_carried_colliders();
+            return {};
+        });
+    });
+}
+
+Result<void> World::attach_collider(BodyId id, ColliderId collider) {
+    return impl_->change(Call::attach_collider, id, collider)([&] {
+        Simulation& simulation = impl_->simulation;
+        return with_body(simulation, id, [&](BodySlot& slot) -> Result<void> {
+            ColliderSlot* const carried_one = simulation.state.colliders.find(collider);
+            if (carried_one == nullptr) return stale_id("ColliderId", collider);
+            if (std::holds_alternative<Plane>(carried_one->current.shape))
+                return Error{ErrorCode::invalid_argument,
+                             "the collider is a Plane, which has no end; attach a Box"};
+            carried_one->body = id;
+            carried_one->own = carried(carried_one->current, pose_of(slot.state).inverse());
+            carried_one->target = carried_one->current;
+            return {};
+        });
+    });
+}
+
+Result<void> World::detach_collider(ColliderId collider) {
+    return impl_->change(Call::detach_collider, collider)([&]() -> Result<void> {
+        ColliderSlot* const slot = impl_->simulation.state.colliders.find(collider);
+        if (slot == nullptr) return stale_id("ColliderId", collider);
+        slot->body = {};
+        return {};
+    });
+}
+
+Result<void> World::attach(BodyId id, ClothId cloth, std::span<const std::uint32_t> vertices) {
+    return impl_->change(Call::attach, id, cloth, vertices)([&] {
+        Simulation& simulation = impl_->simulation;
+        return with_body(simulation, id, [&](BodySlot& slot) -> Result<void> {
+            const std::unique_ptr<Cloth>* const found = simulation.cloths.find(cloth);
+            if (found == nullptr) return stale_id("ClothId", cloth);
+            const auto particles = particles_of(**found, vertices);
+            if (!particles) return particles.error();
+            (*found)->attach(id, pose_of(slot.state), *particles);
+            return {};
+        });
+    });
+}
+
+Result<void> World::detach(ClothId cloth, std::span<const std::uint32_t> vertices) {
+    return impl_->change(Call::detach, cloth, vertices)([&]() -> Result<void> {
+        const std::unique_ptr<Cloth>* const found = impl_->simulation.cloths.find(cloth);
+        if (found == nullptr) return stale_id("ClothId", cloth);
+        const auto particles = particles_of(**found, vertices);
+        if (!particles) return particles.error();
+        (*found)->detach(*particles);
+        return {};
+    });
+}
+
+std::span<const BodyImpulse> World::body_impulses() const noexcept {
+    if (impl_->is_in_step()) return {};
+    return impl_->simulation.body_impulses();
+}
+
+}  // namespace weft

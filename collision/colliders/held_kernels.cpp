@@ -1,0 +1,106 @@
+// Blocks of particles, and single points, against shapes that the World holds.
+
+#include "collision/colliders/collider_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collision/colliders/held_kernels.cpp"
+#include "hwy/foreach_target.h"  // before highway.h
+#include "hwy/highway.h"
+
+#include "collision/colliders/block_kernels-inl.h"
+#include "collision/shapes/held_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace weft::HWY_NAMESPACE {
+namespace {
+
+/// Of some points and their ways: where a shape has them in its own space.
+template <class PointAt>
+Eigen::AlignedBox3f box_of(const MovingSpace& space, std::uint32_t size, float way, const PointAt& point_at) {
+    LaneBox box;
+    for (std::uint32_t i = 0; i < size; i += part_lanes) {
+        const Lanes3 q = turned(space.to_own, point_at(i) - set3(space.origin));
+        const Lanes far = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
+        box.add(q, hn::And(hn::Lt(far, set(1e30f)), hn::FirstN(Tag(), size - i)));
+    }
+    const Eigen::AlignedBox3f found = box.box();
+    const Vector3 margin = Vector3::Constant(way + 1e-4f);
+    return found.isEmpty() ? found : Eigen::AlignedBox3f(found.min() - margin, found.max() + margin);
+}
+
+/// Calls use(own) with the shape, of which only what is within sight of the block is looked at.
+template <class PointAt, class Use>
+auto with_near_part(const MovingHeld& held, const Sight& sight, std::uint32_t size, float way,
+                    const PointAt& point_at, const Use& use) {
+    const auto* const tree = std::get_if<TriangleTree>(&held.shape->data());
+    if (tree == nullptr) return use(OwnHeld{*held.shape, sight, held.rate});
+    const NearLeaves leaves(*tree, box_of(held.space, size, way, point_at), sight.far);
+    return use(OwnHeld{*held.shape, sight, held.rate, &leaves});
+}
+
+void collide_held(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block) {
+    // What lies at the thickness is not to be looked for from deep inside.
+    constexpr float beyond = 4e-3f;
+    const float way = settings.meeting.way;
+    const auto size = static_cast<std::uint32_t>(block.positions.size());
+    const auto point_at = [&](std::uint32_t i) {
+        if (i + part_lanes <= size) return xyz(load_rows(&block.positions[i]));
+        Vec4 last[part_lanes] = {};
+        std::copy(block.positions.begin() + i, block.positions.end(), last);
+        return xyz(load_rows(last));
+    };
+    with_near_part(held, {settings.thickness + way + beyond}, size, way, point_at, [&](const OwnHeld& own) {
+        collide_block(BodyLanes(held.space, own, settings.thickness), settings, block);
+    });
+}
+
+bool nearest_of_held(const MovingHeld& held, const NearestSought& sought, NearSurfaces& near) {
+    // The equation leaves to collide() what is deep inside.
+    const float way = sought.settings.meeting.way;
+    const auto point_at = [&](std::uint32_t i) { return xyz(load_lanes(near.points, i)); };
+    return with_near_part(
+        held, {sought.all() + way, sought.reach == 0}, sought.size, way, point_at, [&](const OwnHeld& own) {
+            return find_nearest_in_block(BodyLanes(held.space, own, sought.all()), sought, near);
+        });
+}
+
+void find_surfaces_of(const HeldShape& shape, std::span<const Vec3> points, float sight,
+                      std::span<Vec4> surfaces) {
+    const OwnHeld own{shape, {sight}, 0};
+    for (std::size_t first = 0; first < points.size(); first += part_lanes) {
+        const std::size_t count = std::min<std::size_t>(part_lanes, points.size() - first);
+        LaneByLane of_points;
+        for (std::size_t k = 0; k < part_lanes; ++k)
+            of_points.set_lane(static_cast<std::uint32_t>(k),
+                               to_vector(points[first + std::min(k, count - 1)]), 0);
+        const Lanes3 q = xyz(of_points.lanes());
+        const OwnSurface found = own.nearest(q, hn::Eq(set(0), set(0)));
+        const LaneByLane out(found.normal, found.distance);
+        for (std::uint32_t k = 0; k < count; ++k) surfaces[first + k] = to_vec4(out.vector(k), out.w[k]);
+    }
+}
+
+}  // namespace
+}  // namespace weft::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace weft {
+
+HWY_EXPORT(collide_held);
+HWY_EXPORT(nearest_of_held);
+HWY_EXPORT(find_surfaces_of);
+
+void collide(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block) {
+    HWY_DYNAMIC_DISPATCH(collide_held)(held, settings, block);
+}
+bool find_nearest(const MovingHeld& held, const NearestSought& sought, NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(nearest_of_held)(held, sought, near);
+}
+void find_surfaces(const HeldShape& shape, std::span<const Vec3> points, float sight,
+                   std::span<Vec4> surfaces) {
+    HWY_DYNAMIC_DISPATCH(find_surfaces_of)(shape, points, sight, surfaces);
+}
+
+}  // namespace weft
+#endif

@@ -1,0 +1,22 @@
+#pragma once
+// Where a light's depth map lies: the box, seen from the light, that holds everything that casts a shadow.
+
+#include <Eigen/Geometry>
+
+#include "render/view/matrices.h"
+
+namespace weft::render {
+
+using Box = Eigen::AlignedBox3f;
+
+struct LightFrame {
+    Matrix4f clip_from_world;
+    float side;   ///< of the square map [m]
+    float depth;  ///< from its near to its far plane [m]
+};
+
+/// Parallel light towards `direction` (unit, points at the light), over a map of `texels` on a side. The map
+/// moves by whole texels and grows by steps of a quarter, so that shadows do not crawl while cloth moves.
+[[nodiscard]] LightFrame fit_light(const Vector3& direction, const Box& casters, int texels);
+
+}  // namespace weft::render
