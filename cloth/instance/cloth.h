@@ -261,6 +261,8 @@ struct Cloth {
     AirBuffers air;
     std::vector<Attachment> attached;       ///< ascending
     BodyBuffers body_buffers;               ///< empty without bodies
+    /// In a part's solve, of which cloths and bodies that move freely together it is one: a number.
+    std::size_t free_with = 0;
     std::vector<CollectedShare> collected;  ///< of each body, likewise
     bool meets_bodies = false;              ///< it may, in the present substep
     AlignedBuffer<Vec4> part_start;  ///< where the present of a step's parts began, if it is not the first

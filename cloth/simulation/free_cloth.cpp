@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <Eigen/Cholesky>
+#include <limits>
+
+#include "cloth/equation/pair_rows.h"
 
 namespace weft {
 
@@ -12,27 +15,123 @@ Eigen::Vector3d wide(const Vec4& v) {
 }
 
 bool takes_part(const Cloth& cloth, std::size_t body) {
-    return !cloth.collected[body].in_part.isZero(0);
+    return cloth.contacts && !cloth.collected[body].in_part.isZero(0);
 }
 
-bool is_free_but_for_bodies(const Cloth& cloth, const StepEquation& equation,
-                            std::span<const MovingBody> bodies) {
-    if (!cloth.contacts->stops().empty()) return false;
-    if (!cloth.state.pins.empty() || equation.pairs != nullptr || cloth.model.component_offsets.size() != 2)
-        return false;
-    bool any = false;
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        if (!takes_part(cloth, k)) continue;
-        if (bodies[k].inverse_mass == 0 || bodies[k].inverse_inertia.minCoeff() == 0) return false;
-        any = true;
+/// Whether the particle, as the pairs number it, is the cloth's of this equation.
+bool has_particle(const StepEquation& equation, std::uint32_t particle) {
+    return equation.pairs != nullptr && particle >= equation.first &&
+           particle - equation.first < equation.positions.size();
+}
+
+/// Cloths of an equation that are labelled with the same number, and the bodies that they gave something to.
+class FreeTogether {
+  public:
+    FreeTogether(std::span<Cloth* const> cloths, std::span<const StepEquation> equations,
+                 std::span<MovingBody> bodies, std::size_t number)
+        : cloths_(cloths), equations_(equations), bodies_(bodies), number_(number) {}
+
+    /// Labels whoever shares a body or touches with one that is.
+    void grow() {
+        for (bool any = true; any;) {
+            any = false;
+            for (std::size_t k = 0; k < cloths_.size(); ++k)
+                if (cloths_[k]->free_with != number_ &&
+                    (shares_body(*cloths_[k]) || touches(equations_[k]))) {
+                    cloths_[k]->free_with = number_;
+                    any = true;
+                }
+        }
     }
-    if (!any) return false;
-    for (std::uint32_t i = 0; i < cloth.state.size(); ++i)
-        if (cloth.contacts->presses_collider(i) && cloth.body_buffers.pressed[i] < 0) return false;
-    return true;
-}
+    /// visit(cloth, its equation)
+    template <class Visit>
+    void for_each_cloth(const Visit& visit) const {
+        for (std::size_t k = 0; k < cloths_.size(); ++k)
+            if (cloths_[k]->free_with == number_) visit(*cloths_[k], equations_[k]);
+    }
+    /// visit(body, what the first cloth that gave it something gave)
+    template <class Visit>
+    void for_each_body(const Visit& visit) const {
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+            bool is_first = true;
+            for_each_cloth([&](Cloth& cloth, const StepEquation&) {
+                if (is_first && takes_part(cloth, b)) {
+                    is_first = false;
+                    visit(bodies_[b], cloth.collected[b].in_part);
+                }
+            });
+        }
+    }
+    /// There is a body, and nothing else holds any of them.
+    [[nodiscard]] bool are_free() const {
+        bool any_body = false, held = false;
+        for_each_body([&](const MovingBody& body, const Vector6&) {
+            any_body = true;
+            held = held || body.inverse_mass == 0 || body.inverse_inertia.minCoeff() == 0;
+        });
+        for_each_cloth([&](const Cloth& cloth, const StepEquation& equation) {
+            held = held || is_held(cloth) || touches_what_is_elsewhere(equation);
+        });
+        return any_body && !held;
+    }
 
-/// Of the cloth when the part ends, at what velocities are now.
+  private:
+    [[nodiscard]] bool shares_body(const Cloth& cloth) const {
+        bool shares = false;
+        for (std::size_t b = 0; b < bodies_.size(); ++b)
+            if (takes_part(cloth, b))
+                for_each_cloth([&](const Cloth& other, const StepEquation&) {
+                    shares = shares || takes_part(other, b);
+                });
+        return shares;
+    }
+    [[nodiscard]] bool touches(const StepEquation& equation) const {
+        if (equation.pairs == nullptr) return false;
+        bool touches = false;
+        equation.pairs->for_each_active([&](const PairRows::ActivePair& active) {
+            bool its = false, theirs = false;
+            for (const std::uint32_t particle : active.pair.corners) {
+                its = its || has_particle(equation, particle);
+                for_each_cloth([&](const Cloth&, const StepEquation& other) {
+                    theirs = theirs || has_particle(other, particle);
+                });
+            }
+            touches = touches || (its && theirs);
+        });
+        return touches;
+    }
+    /// Features of cloth that another equation has.
+    [[nodiscard]] bool touches_what_is_elsewhere(const StepEquation& equation) const {
+        if (equation.pairs == nullptr) return false;
+        bool touches = false;
+        equation.pairs->for_each_active([&](const PairRows::ActivePair& active) {
+            bool its = false, elsewhere = false;
+            for (const std::uint32_t particle : active.pair.corners) {
+                its = its || has_particle(equation, particle);
+                elsewhere = elsewhere || std::ranges::none_of(equations_, [&](const StepEquation& one) {
+                                return has_particle(one, particle);
+                            });
+            }
+            touches = touches || (its && elsewhere);
+        });
+        return touches;
+    }
+    [[nodiscard]] static bool is_held(const Cloth& cloth) {
+        if (!cloth.contacts || !cloth.contacts->stops().empty() || !cloth.state.pins.empty() ||
+            cloth.model.component_offsets.size() != 2)
+            return true;
+        for (std::uint32_t i = 0; i < cloth.state.size(); ++i)
+            if (cloth.contacts->presses_collider(i) && cloth.body_buffers.pressed[i] < 0) return true;
+        return false;
+    }
+
+    std::span<Cloth* const> cloths_;
+    std::span<const StepEquation> equations_;
+    std::span<MovingBody> bodies_;
+    std::size_t number_;
+};
+
+/// When the part ends, at what velocities are now.
 struct Motion {
     double mass = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
@@ -63,11 +162,13 @@ void for_each_free(const StepEquation& equation, const Visit& visit) {
         if (equation.positions[i].w > 0) visit(i, 1 / static_cast<double>(equation.positions[i].w));
 }
 
-Motion motion_of(const StepEquation& equation, std::span<const Vec4> velocities) {
+Motion motion_of(const FreeTogether& free) {
     Motion sum;
-    for_each_free(equation, [&](std::uint32_t i, double m) {
-        const Eigen::Vector3d v = wide(velocities[i]);
-        sum.add(m, place(equation, i, v), v);
+    free.for_each_cloth([&](const Cloth& cloth, const StepEquation& equation) {
+        for_each_free(equation, [&](std::uint32_t i, double m) {
+            const Eigen::Vector3d v = wide(cloth.scratch_velocities[i]);
+            sum.add(m, place(equation, i, v), v);
+        });
     });
     return sum;
 }
@@ -91,42 +192,45 @@ Vector6 as_one(const Motion& all, const Vector6& gained) {
     return change;
 }
 
-/// What the cloth should have when the part ends.
-Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const MovingBody> bodies,
-             std::span<const Vec4> velocities) {
+/// What the cloths should have when the part ends.
+Vector6 owed(const FreeTogether& free, std::span<const MovingBody> bodies) {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear, echo = linear, outside = linear,
                     torque = linear, centre = linear;
-    double mass = 0;
-    const double ratio = static_cast<double>(equation.h / equation.gamma);
-    for_each_free(equation, [&](std::uint32_t i, double m) {
-        const Eigen::Vector3d v = wide(equation.velocities[i]), x = wide(equation.positions[i]);
-        linear += m * v;
-        angular += m * x.cross(v);
-        const ExternalRow row = external_row(equation, i);
-        const Eigen::Vector3d solved = wide(velocities[i]), there = place(equation, i, solved);
-        const Eigen::Vector3d impulse =
-            static_cast<double>(row.row_sum) * (row.free_velocity.cast<double>() - solved) +
-            m * (solved - wide(equation.base_velocities[i]));
-        outside += impulse;
-        torque += ratio * there.cross(impulse);
-        if (!equation.velocity_changes.empty())
-            echo += m / static_cast<double>(equation.divisor) * wide(equation.velocity_changes[i]);
-        centre += m * there;
-        mass += m;
+    double mass = 0, ratio = 1;
+    Vector6 of_bodies = Vector6::Zero();
+    free.for_each_cloth([&](const Cloth& cloth, const StepEquation& equation) {
+        ratio = static_cast<double>(equation.h / equation.gamma);
+        for_each_free(equation, [&](std::uint32_t i, double m) {
+            const Eigen::Vector3d v = wide(equation.velocities[i]), x = wide(equation.positions[i]);
+            linear += m * v;
+            angular += m * x.cross(v);
+            const ExternalRow row = external_row(equation, i);
+            const Eigen::Vector3d solved = wide(cloth.scratch_velocities[i]),
+                                  there = place(equation, i, solved);
+            const Eigen::Vector3d impulse =
+                static_cast<double>(row.row_sum) * (row.free_velocity.cast<double>() - solved) +
+                m * (solved - wide(equation.base_velocities[i]));
+            outside += impulse;
+            torque += ratio * there.cross(impulse);
+            if (!equation.velocity_changes.empty())
+                echo += m / static_cast<double>(equation.divisor) * wide(equation.velocity_changes[i]);
+            centre += m * there;
+            mass += m;
+        });
+        for (std::size_t k = 0; k < bodies.size(); ++k) {
+            const Vector6& given = cloth.collected[k].in_part;
+            // The angular momentum of a body that came so to its end has changed by that of an impulse there.
+            const Eigen::Vector3d at = bodies[k].end.position.cast<double>() -
+                                       static_cast<double>(equation.gamma) * bodies[k].velocity.head<3>();
+            of_bodies.head<3>() += given.head<3>();
+            of_bodies.tail<3>() += given.tail<3>() + at.cross(Eigen::Vector3d(given.head<3>()));
+            for (int axis = 0; axis < 3; ++axis)
+                echo[axis] +=
+                    static_cast<double>(cloth.state.shares[k].echo[static_cast<std::size_t>(axis)]) /
+                    static_cast<double>(equation.divisor);
+        }
     });
     centre /= mass;
-    Vector6 of_bodies = Vector6::Zero();
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
-        const Vector6& given = cloth.collected[k].in_part;
-        // The angular momentum of a body that came so to its end has changed by that of an impulse there.
-        const Eigen::Vector3d at = bodies[k].end.position.cast<double>() -
-                                   static_cast<double>(equation.gamma) * bodies[k].velocity.head<3>();
-        of_bodies.head<3>() += given.head<3>();
-        of_bodies.tail<3>() += given.tail<3>() + at.cross(Eigen::Vector3d(given.head<3>()));
-        for (int axis = 0; axis < 3; ++axis)
-            echo[axis] += static_cast<double>(cloth.state.shares[k].echo[static_cast<std::size_t>(axis)]) /
-                          static_cast<double>(equation.divisor);
-    }
     const Eigen::Vector3d by_outside = outside + echo;
     torque += centre.cross(by_outside - ratio * outside);
     Vector6 sum;
@@ -134,20 +238,11 @@ Vector6 owed(const Cloth& cloth, const StepEquation& equation, std::span<const M
     return sum - of_bodies;
 }
 
-}  // namespace
-
-void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation, std::span<MovingBody> bodies) {
-    if (!is_free_but_for_bodies(cloth, equation, bodies)) return;
-    const std::span<Vec4> velocities = cloth.scratch_velocities.span();
-    const Vector6 missing =
-        owed(cloth, equation, bodies, velocities) - momentum_of(motion_of(equation, velocities));
-    const auto for_each_body = [&](const auto& visit) {
-        for (std::size_t k = 0; k < bodies.size(); ++k)
-            if (takes_part(cloth, k)) visit(bodies[k], cloth.collected[k].in_part);
-    };
+void keep_momentum(const FreeTogether& free, std::span<const MovingBody> bodies) {
+    const Vector6 missing = owed(free, bodies) - momentum_of(motion_of(free));
     const auto motion_of_all = [&] {
-        Motion all = motion_of(equation, velocities);
-        for_each_body([&](const MovingBody& body, const Vector6&) { all.add(body); });
+        Motion all = motion_of(free);
+        free.for_each_body([&](const MovingBody& body, const Vector6&) { all.add(body); });
         return all;
     };
     const Vector6 target = missing + momentum_of(motion_of_all());
@@ -160,11 +255,14 @@ void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation, std::
         const auto change_at = [&](const Eigen::Vector3d& place) -> Eigen::Vector3d {
             return change.head<3>() + turn.cross(place - centre);
         };
-        for_each_free(equation, [&](std::uint32_t i, double /*m*/) {
-            const Eigen::Vector3d v = wide(velocities[i]);
-            velocities[i] = to_vec4((v + change_at(place(equation, i, v))).cast<float>(), 0);
+        free.for_each_cloth([&](Cloth& cloth, const StepEquation& equation) {
+            for_each_free(equation, [&](std::uint32_t i, double /*m*/) {
+                Vec4& velocity = cloth.scratch_velocities[i];
+                const Eigen::Vector3d v = wide(velocity);
+                velocity = to_vec4((v + change_at(place(equation, i, v))).cast<float>(), 0);
+            });
         });
-        for_each_body([&](MovingBody& body, Vector6& given) {
+        free.for_each_body([&](MovingBody& body, Vector6& given) {
             Vector6 its;
             its << change_at(body.end.position.cast<double>()), turn;
             given.head<3>() += its.head<3>() / body.inverse_mass;
@@ -172,6 +270,21 @@ void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation, std::
             body.now += its;
             body.find_end();
         });
+    }
+}
+
+}  // namespace
+
+void keep_momentum_with_bodies(std::span<Cloth* const> cloths, std::span<const StepEquation> equations,
+                               std::span<MovingBody> bodies) {
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    for (Cloth* cloth : cloths) cloth->free_with = none;
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        if (cloths[k]->free_with != none) continue;
+        FreeTogether free(cloths, equations, bodies, k);
+        cloths[k]->free_with = k;
+        free.grow();
+        if (free.are_free()) keep_momentum(free, bodies);
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A cloth that nothing holds but bodies keeps with them what momentum there is.
+// Cloths and bodies that nothing else holds keep what momentum they have together.
 
 #include <span>
 
@@ -9,11 +9,13 @@
 
 namespace weft {
 
-/// Few iterations leave a part of the equation unsolved, and an implicit step loses angular momentum: moves
-/// and turns the cloth and the bodies that it gave something to, as one, by what the cloth's solved
-/// velocities, in scratch_velocities, lack against what bodies got (CollectedShare::in_part) and what acts
-/// from outside. The cloth alone would pull at what it is attached to, ever more. Does nothing where
-/// something else holds one of them, or features of others meet the cloth.
-void keep_momentum_with_bodies(Cloth& cloth, const StepEquation& equation, std::span<MovingBody> bodies);
+/// Few iterations leave a part of the equation unsolved, and an implicit step loses angular momentum. Cloths
+/// of one equation that gave something to the same bodies, or whose features touch, and these bodies are
+/// moved and turned as one: by what the cloths' solved velocities, in scratch_velocities, lack against what
+/// the bodies got (CollectedShare::in_part) and what acts from outside. A cloth alone would pull at what it
+/// is attached to, ever more. Does nothing where something else holds one of them. A body's change goes to
+/// the share of the first of them.
+void keep_momentum_with_bodies(std::span<Cloth* const> cloths, std::span<const StepEquation> equations,
+                               std::span<MovingBody> bodies);
 
 }  // namespace weft

@@ -96,14 +96,20 @@ void collect_from_equation(Simulation& world, Cloth& cloth, const StepEquation& 
         cloth.collected[stop.body].by_stops -= wrench(stop.arm.cast<double>(), given.cast<double>());
     }
     for (CollectedShare& share : cloth.collected) share.in_part += share.by_stops;
-    // A body that other cloths hold, too, is not this one's to move.
-    if (world.body_stage->coupling.cloths() < 2)
-        keep_momentum_with_bodies(cloth, equation, world.body_stage->moving);
+}
+
+/// Once all cloths of the equation are collected from.
+void keep_momentum_of_bodies(Simulation& world, std::span<Cloth* const> cloths,
+                             std::span<const StepEquation> equations) {
+    keep_momentum_with_bodies(cloths, equations, world.body_stage->moving);
     world.body_stage->coupling.move_colliders();
-    for (std::size_t k = 0; k < cloth.collected.size(); ++k) {
-        const CollectedShare& share = cloth.collected[k];
-        cloth.state.shares[k].echo =
-            cloth.history ? to_floats(share.in_part - share.by_stops) : std::array<float, 6>{};
+    for (Cloth* cloth : cloths) {
+        if (!cloth->meets_bodies || !cloth->contacts) continue;
+        for (std::size_t k = 0; k < cloth->collected.size(); ++k) {
+            const CollectedShare& share = cloth->collected[k];
+            cloth->state.shares[k].echo =
+                cloth->history ? to_floats(share.in_part - share.by_stops) : std::array<float, 6>{};
+        }
     }
 }
 

@@ -30,6 +30,8 @@ void add_carried_motions(const Simulation& world, std::vector<ColliderMotion>& m
 /// Puts bodies into a cloth's equation; then takes what it gave them.
 void carry_bodies(Simulation& world, Cloth& cloth, StepEquation& equation);
 void collect_from_equation(Simulation& world, Cloth& cloth, const StepEquation& equation);
+void keep_momentum_of_bodies(Simulation& world, std::span<Cloth* const> cloths,
+                             std::span<const StepEquation> equations);
 /// See collide(): of a cloth that may meet bodies.
 [[nodiscard]] std::uint32_t collide_with_bodies(Simulation& world, Worker& worker, Cloth& cloth, float h,
                                                 std::span<const Vec4> starts);

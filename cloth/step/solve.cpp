@@ -288,6 +288,7 @@ void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth*
                     group.steps[first + m].wants_residual);
         if (with_bodies) collect_from_equation(world, *set[m], equations[m]);
     }
+    if (with_bodies) keep_momentum_of_bodies(world, set, equations);
     for (std::size_t m = 0; m < set.size() && world.reports_contacts(); ++m) {
         if (equations[m].pairs == nullptr) continue;
         equations[m].pairs->take(worker.parallel, equations[m].first,

@@ -72,21 +72,56 @@ TEST(Bodies, ABoxBouncesOnATrampolineAndSettles) {
 }
 
 TEST(Bodies, AThrownBallAndAFreeSheetKeepTheirMomentumTogether) {
-    for (const float mass : {0.02f, 0.2f, 2.0f}) {
-        SheetAndBody scene(weightless(mass, 2), Held::free);
-        const SheetAndBody::Momentum before = scene.momentum();
-        double most = before.energy;
-        for (int k = 0; k < 80; ++k) {
-            scene.steps(1);
-            const SheetAndBody::Momentum now = scene.momentum();
-            const double scale = static_cast<double>(mass) * 2;
-            ASSERT_LT((now.linear - before.linear).norm(), 1e-4 * scale) << mass << " kg, step " << k;
-            ASSERT_LT((now.angular - before.angular).norm(), 1e-4 * scale) << mass << " kg, step " << k;
-            most = std::max(most, now.energy);
+    for (const bool with_contact : {false, true})
+        for (const float mass : {0.02f, 0.2f, 2.0f}) {
+            SheetAndBody::Setup setup = weightless(mass, 2);
+            setup.cloth.self_collision.enabled = with_contact;
+            SheetAndBody scene(setup, Held::free);
+            const SheetAndBody::Momentum before = scene.momentum();
+            double most = before.energy;
+            for (int k = 0; k < 80; ++k) {
+                scene.steps(1);
+                const SheetAndBody::Momentum now = scene.momentum();
+                const double scale = static_cast<double>(mass) * 2;
+                ASSERT_LT((now.linear - before.linear).norm(), 1e-4 * scale)
+                    << mass << " kg, step " << k << ", contact " << with_contact;
+                ASSERT_LT((now.angular - before.angular).norm(), 1e-4 * scale)
+                    << mass << " kg, step " << k << ", contact " << with_contact;
+                most = std::max(most, now.energy);
+            }
+            EXPECT_LE(most, 1.001 * before.energy) << mass;
+            EXPECT_GT(to_vector(scene.state().velocity).y(), -1.99f) << "it never touched";
         }
-        EXPECT_LE(most, 1.001 * before.energy) << mass;
-        EXPECT_GT(to_vector(scene.state().velocity).y(), -1.99f) << "it never touched";
-    }
+}
+
+// What each of them alone would have kept goes to all of them.
+TEST(Bodies, ABallThrownIntoTwoFreeSheetsKeepsTheirMomentum) {
+    for (const bool with_contact : {false, true})
+        for (const float mass : {0.02f, 0.2f, 2.0f}) {
+            SheetAndBody::Setup setup = weightless(mass, 2);
+            setup.cloth.self_collision.enabled = with_contact;
+            SheetAndBody scene(setup, Held::free);
+            const Mesh beside = make_sheet({.rows = 13,
+                                            .columns = 13,
+                                            .origin = {-0.5f, -0.05f, -0.5f},
+                                            .u = {0.7f, 0, 0},
+                                            .v = {0, 0, 0.9f}})
+                                    .value();
+            const ClothId other = scene.world.add_cloth(beside, setup.cloth).value();
+            const auto momentum = [&] {
+                Eigen::Vector3d sum = scene.momentum().linear;
+                const ClothView view = scene.world.cloth(other).value();
+                for (std::size_t i = 0; i < view.positions.size(); ++i)
+                    sum += xyz(view.velocities[i]).cast<double>() / static_cast<double>(view.positions[i].w);
+                return sum;
+            };
+            const Eigen::Vector3d before = momentum();
+            for (int k = 0; k < 60; ++k) {
+                scene.steps(1);
+                ASSERT_LT((momentum() - before).norm(), 1e-4 * static_cast<double>(mass) * 2)
+                    << mass << " kg, step " << k << ", contact " << with_contact;
+            }
+        }
 }
 
 TEST(Bodies, OfAnyMassComeToRestOnCloth) {
