@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
+
 #include "collision/shapes/hull.h"
 #include "collision/shapes/ranges.h"
 #include "engine/error_text.h"
@@ -114,6 +116,31 @@ bool is_convex_body(const TriangleTree& tree) {
     return true;
 }
 
+/// Area of triangles, and its spread about its middle.
+struct Spread {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d about_middle = Eigen::Matrix3d::Zero();
+};
+Spread spread_of(const TriangleTree& tree) {
+    Spread spread;
+    Eigen::Matrix3d about_origin = Eigen::Matrix3d::Zero();
+    double area = 0;
+    for (std::uint32_t t = 0; t < tree.size(); ++t) {
+        std::array<Eigen::Vector3d, 3> x;
+        for (std::size_t k = 0; k < 3; ++k)
+            x[k] = to_vector(tree.vertices()[tree.triangle(t)[k]]).cast<double>();
+        const double own = (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
+        const Eigen::Vector3d sum = x[0] + x[1] + x[2];
+        area += own;
+        spread.middle += own / 3 * sum;
+        about_origin += own / 12 * (sum * sum.transpose());
+        for (const Eigen::Vector3d& corner : x) about_origin += own / 12 * (corner * corner.transpose());
+    }
+    spread.middle /= area;
+    spread.about_middle = about_origin / area - spread.middle * spread.middle.transpose();
+    return spread;
+}
+
 }  // namespace
 
 Result<HeldShape> HeldShape::make(const Shape& shape) {
@@ -124,7 +151,38 @@ Result<HeldShape> HeldShape::make(const Shape& shape) {
     made.is_edged_ = tree != nullptr && tree->is_closed() && tree->vertices().size() <= most_edged_corners &&
                      is_convex_body(*tree);
     made.find_coarse();
+    made.find_rod();
     return made;
+}
+
+/// Along the axis about which the surface is spread least, through its middle.
+void HeldShape::find_rod() {
+    const auto* const tree = std::get_if<TriangleTree>(&data_);
+    if (tree == nullptr || !tree->is_closed()) return;
+    const Spread spread = spread_of(*tree);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread.about_middle);
+    const Vector3 middle = spread.middle.cast<float>();
+    const Matrix3 across = axes.eigenvectors().cast<float>();  // along it last
+    Eigen::AlignedBox3f box;
+    for (const Vec3& vertex : tree->vertices())
+        box.extend(Vector3(across.transpose() * (to_vector(vertex) - middle)));
+    constexpr std::size_t points = 9;
+    constexpr float from_ends = 0.1f;  // of the length: so far from the ends distances are the sides'
+    std::array<Vec3, points> along;
+    std::array<Vec4, points> surfaces;
+    for (std::size_t k = 0; k < points; ++k) {
+        const float part = from_ends + (1 - 2 * from_ends) * static_cast<float>(k) / (points - 1);
+        along[k] = to_vec3(middle + (box.min().z() + part * box.sizes().z()) * across.col(2));
+    }
+    find_surfaces(*this, along, std::numeric_limits<float>::infinity(), surfaces);
+    float radius = std::numeric_limits<float>::infinity();
+    for (const Vec4& surface : surfaces) radius = std::min(radius, -surface.w);
+    if (!(radius > 0)) return;
+    const float width = std::max(box.max().head<2>().maxCoeff(), -box.min().head<2>().minCoeff());
+    const float first = box.min().z() + radius, last = box.max().z() - radius;
+    const float one = 0.5f * (first + last);
+    rod_ = InnerRod{middle + std::min(first, one) * across.col(2),
+                    middle + std::max(last, one) * across.col(2), radius, std::max(width, radius)};
 }
 
 void HeldShape::find_coarse() {

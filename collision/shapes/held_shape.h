@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -44,6 +45,14 @@ struct HeldDistances {
     }
 };
 
+/// What is round inside a body: its axis, in the body's own space, and balls about it. Of a long body what is
+/// left once its sides are taken off; a ball if it is as long as it is wide.
+struct InnerRod {
+    Vector3 a, b;  ///< [m]
+    float radius;  ///< [m]
+    float width;   ///< half of what the body measures across at most [m]
+};
+
 class HeldShape {
   public:
     /// Error: a value outside its range in shapes.h, or a shape that is not what it says.
@@ -59,6 +68,10 @@ class HeldShape {
     /// so many corners.
     static constexpr std::size_t most_edged_corners = 32;
     [[nodiscard]] bool is_edged() const noexcept { return is_edged_ && original_.empty(); }
+    /// Of a closed mesh that has not been deformed, if there is one; else null.
+    [[nodiscard]] const InnerRod* rod() const noexcept {
+        return rod_ && original_.empty() ? &*rod_ : nullptr;
+    }
     /// Whoever passes it is inside, however deep.
     [[nodiscard]] bool is_ground() const noexcept { return std::holds_alternative<HeldHeights>(data_); }
     /// False only where the point of a closed mesh is not farther inside than that: by distances at the
@@ -85,11 +98,13 @@ class HeldShape {
     HeldShape(Data&& data, bool convex) : data_(std::move(data)), convex_(convex) { find_box(); }
     void find_box();
     void find_coarse();
+    void find_rod();
     Data data_;
     Eigen::AlignedBox3f box_;
     HeldDistances coarse_{};      // of a closed mesh
     OutsideCells outside_;        // likewise, where it has been deformed
     std::vector<Vec3> original_;  // vertices, once it has been deformed
+    std::optional<InnerRod> rod_;
     bool convex_, is_edged_ = false;
     std::uint64_t deforms_in_ = 0;  // 0: none
 };

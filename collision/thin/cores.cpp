@@ -9,7 +9,7 @@ namespace weft {
 
 namespace {
 
-/// Radii, with the thickness, in edges of a cloth at rest: see Thinness. A rod slips between two rows of
+/// Radii, with the thickness, in edges of a cloth where it is: see Thinness. A rod slips between two rows of
 /// particles, a ball between the corners of a triangle.
 constexpr float if_fast = 2, if_moved = 1.1f, rod_slips_through = 0.55f, ball_slips_through = 0.8f,
                 is_held_in = 0.4f;
@@ -19,9 +19,6 @@ constexpr float moved = 0.02f;
 /// here: what lies on edges would not come to rest, and a box with mass would not on cloth. On a round thing
 /// as thin cloth would fall through.
 constexpr float least_way = 0.25f;
-template <class Shape>
-constexpr bool has_edges = std::is_same_v<Shape, Box> || std::is_same_v<Shape, HeldInstance>;
-
 /// Columns are across the axis, and the first along it.
 Matrix3 frame_along(const Vector3& axis) {
     Matrix3 frame = Matrix3::Identity();
@@ -33,48 +30,72 @@ Matrix3 frame_along(const Vector3& axis) {
     return frame;
 }
 
-float thinnest(const Capsule& shape) {
-    return shape.radius;
-}
-float thinnest(const TaperedCapsule& shape) {
-    return std::min(shape.radius_a, shape.radius_b);
-}
-float thinnest(const Plane&) {
-    return std::numeric_limits<float>::infinity();
-}
-float thinnest(const Box&) {  // at its edges
-    return 0;
-}
-float thinnest(const HeldInstance& instance) {
-    return instance.shape.is_edged() ? 0 : std::numeric_limits<float>::infinity();
+/// Half of the least and the middle side: what is left is as long as it is wide or longer.
+InnerRod rod_of(const Vector3& half) {
+    int longest = 0;
+    half.maxCoeff(&longest);
+    const float radius = half.minCoeff();
+    float width = radius;
+    for (int k = 0; k < 3; ++k)
+        if (k != longest) width = std::max(width, half[k]);
+    const Vector3 end = (half[longest] - radius) * Vector3::Unit(longest);
+    return {-end, end, radius, width};
 }
 
-template <class Shape>
-bool is_ball([[maybe_unused]] const Shape& shape) {
-    if constexpr (std::is_same_v<Shape, Capsule> || std::is_same_v<Shape, TaperedCapsule>)
-        return to_vector(shape.a) == to_vector(shape.b);
-    return false;
+constexpr float thick = std::numeric_limits<float>::infinity();
+
+/// Half of what it measures across, and whether its edges can part cloth.
+struct Width {
+    float half = thick;
+    bool has_edges = false, is_ball = false;
+};
+Width width_of(const Capsule& shape) {
+    return {shape.radius, false, to_vector(shape.a) == to_vector(shape.b)};
+}
+Width width_of(const TaperedCapsule& shape) {
+    return {std::min(shape.radius_a, shape.radius_b), false, to_vector(shape.a) == to_vector(shape.b)};
+}
+Width width_of(const Plane&) {
+    return {};
+}
+Width width_of(const Box& box) {
+    const InnerRod rod = rod_of(to_vector(box.half_extents));
+    return {rod.width, true, rod.a == rod.b};
+}
+Width width_of(const HeldInstance& instance) {
+    const InnerRod* const rod = instance.shape.rod();
+    return {rod != nullptr ? rod->width : thick, instance.shape.is_edged(),
+            rod != nullptr && rod->a == rod->b};
 }
 
 }  // namespace
 
-Thinness thinness_of(const ColliderMotion& motion, float h, float thickness, float mean_edge) {
-    return with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
-        const float thin = thinnest(end) + thickness;
-        if (!(thin < if_fast * mean_edge)) return Thinness::thick;
-        const Sweeping sweep = sweeping(start, end, {h, motion.fastest}, thickness);
-        if (!(sweep.way >= 0)) return Thinness::thick;
-        if (has_edges<Shape> && motion.body >= 0) return Thinness::thick;
-        if (has_edges<Shape>) return sweep.way > least_way * thickness ? Thinness::thinnest : Thinness::thick;
-        if (thin < is_held_in * mean_edge) return Thinness::thinnest;
-        const bool moves = motion.body < 0 && sweep.way > moved * thickness;
-        const float slips_through = is_ball(end) ? ball_slips_through : rod_slips_through;
-        const bool slips = thin < (moves ? if_moved : slips_through) * mean_edge;
-        return slips ? Thinness::thin : Thinness::thin_if_fast;
+Thinness Slipping::beside(float longest_edge) const {
+    if (edges_part || thin < is_held_in * longest_edge) return Thinness::thinnest;
+    const float slips_through = is_ball ? ball_slips_through : rod_slips_through;
+    if (thin < (moves ? if_moved : slips_through) * longest_edge) return Thinness::thin;
+    return thin < if_fast * longest_edge ? Thinness::thin_if_fast : Thinness::thick;
+}
+
+float Slipping::least_edge() const {
+    return edges_part ? 0 : thin / if_fast;
+}
+
+std::optional<Slipping> slipping(const ColliderMotion& motion, float h, float thickness) {
+    return with_shapes(motion, [&](const auto& start, const auto& end) -> std::optional<Slipping> {
+        const Width width = width_of(end);
+        if (width.half == thick && !width.has_edges) return std::nullopt;
+        const float way = sweeping(start, end, {h, motion.fastest}, thickness).way;
+        if (!(way >= 0)) return std::nullopt;
+        const bool by_host = motion.body < 0;
+        return Slipping{.thin = width.half + thickness,
+                        .is_ball = width.is_ball,
+                        .moves = by_host && way > moved * thickness,
+                        .edges_part = by_host && width.has_edges && way > least_way * thickness};
     });
 }
 
-Cores::Cores(const ColliderMotion& motion, float h) {
+Cores::Cores(const ColliderMotion& motion, float h, bool with_edges) {
     const Pace pace{h, motion.fastest};
     with_shapes(motion, [&]<class Shape>(const Shape& start, const Shape& end) {
         if constexpr (std::is_same_v<Shape, Capsule>) {
@@ -83,9 +104,9 @@ Cores::Cores(const ColliderMotion& motion, float h) {
             const MovingTaperedCapsule moved = moving(start, end, pace);
             add_round(moved, moved.wider, moved.tilt);
         } else if constexpr (std::is_same_v<Shape, Box>) {
-            add_box(moving(start, end, pace));
+            add_box(moving(start, end, pace), with_edges);
         } else if constexpr (std::is_same_v<Shape, HeldInstance>) {
-            add_hull(moving(start, end, pace));
+            add_held(moving(start, end, pace), with_edges);
         }
     });
 }
@@ -98,6 +119,17 @@ void Cores::add(const Vector3& a, const Vector3& b, float radius_a, float radius
     box_.extend(core.box);
 }
 
+void Cores::add_edge(const Vector3& a, const Vector3& b) {
+    add(a, b, 0, 0);
+    cores_[count_ - 1].is_edge = true;
+}
+
+void Cores::add_rod(const InnerRod& rod) {
+    if (rod.a != rod.b) add(rod.a, rod.b, rod.radius, rod.radius);
+    add(rod.a, rod.a, rod.radius, rod.radius);
+    if (rod.a != rod.b) add(rod.b, rod.b, rod.radius, rod.radius);
+}
+
 void Cores::take_space(const MovingSpace& space) {
     to_own_ = space.to_own;
     from_start_ = space.to_own_at_start;
@@ -108,6 +140,7 @@ void Cores::take_space(const MovingSpace& space) {
 }
 
 void Cores::add_round(const MovingCapsule& capsule, float wider, float tilt) {
+    are_round_ = true;
     const bool is_ball = capsule.per_length_squared == 0;
     const Matrix3 frame = is_ball ? Matrix3(Matrix3::Identity()) : frame_along(capsule.axis);
     to_own_ = frame.transpose();
@@ -132,34 +165,37 @@ void Cores::add_round(const MovingCapsule& capsule, float wider, float tilt) {
     add(b, b, radius_b, radius_b);
 }
 
-void Cores::add_box(const MovingBox& box) {
+void Cores::add_box(const MovingBox& box, bool with_edges) {
     take_space(box.space);
     const Vector3& half = box.half;
+    add_rod(rod_of(half));
+    if (!with_edges) return;
     for (std::uint32_t k = 0; k < 8; ++k) {
         const auto side = [&](std::uint32_t bit) { return (k & bit) != 0 ? 1.0f : -1.0f; };
         corners_[corner_count_++] = half.cwiseProduct(Vector3(side(1), side(2), side(4)));
     }
     for (std::uint32_t k = 0; k < 8; ++k) {
-        add(corners_[k], corners_[k]);
+        add_edge(corners_[k], corners_[k]);
         for (const std::uint32_t bit : {1u, 2u, 4u})
-            if ((k & bit) == 0) add(corners_[k], corners_[k | bit]);
+            if ((k & bit) == 0) add_edge(corners_[k], corners_[k | bit]);
     }
 }
 
 // Of faces in one plane the edges between are none of the body's; that they count for some costs time alone.
-void Cores::add_hull(const MovingHeld& held) {
-    if (!held.shape->is_edged()) return;
-    const auto& tree = std::get<TriangleTree>(held.shape->data());
+void Cores::add_held(const MovingHeld& held, bool with_edges) {
     take_space(held.space);
+    if (held.shape->rod() != nullptr) add_rod(*held.shape->rod());
+    if (!with_edges || !held.shape->is_edged()) return;
+    const auto& tree = std::get<TriangleTree>(held.shape->data());
     for (const Vec3& corner : tree.vertices()) {
         corners_[corner_count_++] = to_vector(corner);
-        add(to_vector(corner), to_vector(corner));
+        add_edge(to_vector(corner), to_vector(corner));
     }
     for (std::uint32_t t = 0; t < tree.size(); ++t) {
         const Corners& corners = tree.triangle(t);
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];  // each edge both ways
-            if (i < j && count_ < most) add(corners_[i], corners_[j]);
+            if (i < j && count_ < most) add_edge(corners_[i], corners_[j]);
         }
     }
 }
@@ -168,7 +204,8 @@ Vector3 Cores::velocity_at(const Vector3& own) const {
     return velocity_ + gradient_ * own;
 }
 
-bool Cores::is_outward(const Vector3& own, const Vector3& direction) const {
+bool Cores::is_outward(const Core& core, const Vector3& own, const Vector3& direction) const {
+    if (!core.is_edge) return true;
     constexpr float slack = 0.05f;  // of rounding, and of what turns on its way
     for (std::uint32_t k = 0; k < corner_count_; ++k) {
         const Vector3 to_corner = corners_[k] - own;

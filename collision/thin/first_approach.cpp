@@ -90,7 +90,7 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
         float fastest = 0;
         for (std::size_t k = 0; k < corners; ++k) fastest = std::max(fastest, normal.dot(from[k] - to[k]));
         const bool is_near = clear < 0.05f * gap;
-        if (is_near && cores.is_outward(core.at(nearest.s), normal)) {
+        if (is_near && cores.is_outward(core, core.at(nearest.s), normal)) {
             const Vector3 foot = core.at(nearest.s);
             Vector3 end = Vector3::Zero();
             float least = std::numeric_limits<float>::infinity();

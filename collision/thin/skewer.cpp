@@ -35,7 +35,7 @@ bool is_inside_another(const Vector3& point, const ColliderMotion& motion,
 
 std::optional<Skewer> Skewer::of(const Cores& cores) {
     const Core& axis = cores.list().front();
-    if (axis.is_point() || axis.radius == 0) return std::nullopt;
+    if (!cores.are_round() || axis.is_point() || axis.radius == 0) return std::nullopt;
     Skewer skewer;
     skewer.cores_ = &cores;
     skewer.length_ = axis.axis.x();

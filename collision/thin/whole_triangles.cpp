@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -35,6 +36,12 @@ float longest_way(const CornerPaths& corners) {
     float squared = 0;
     for (std::size_t k = 0; k < 3; ++k)
         squared = std::max(squared, (corners.to[k] - corners.from[k]).squaredNorm());
+    return std::sqrt(squared);
+}
+
+float longest_side(const std::array<Vector3, 3>& x) {
+    const float squared =
+        std::max({(x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()});
     return std::sqrt(squared);
 }
 
@@ -77,10 +84,12 @@ struct WholeTriangles::Meeting {
     const ClothSide& cloth;
     const CollidingParticles& particles;
     float h, least_gap;
-    Thinness thinness;
+    Slipping slipping;
 
-    [[nodiscard]] bool only_fast() const { return thinness == Thinness::thin_if_fast; }
-    [[nodiscard]] bool only_from_outside() const { return thinness != Thinness::thinnest; }
+    /// Beside a triangle that begins so.
+    [[nodiscard]] Thinness thinness(const CornerPaths& corners) const {
+        return slipping.beside(longest_side(corners.from));
+    }
     [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }
     [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
     /// To be kept of these particles.
@@ -141,6 +150,7 @@ WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_
       near_(triangles.size()),
       counts_(spans_.size()),
       is_fast_(spans_.size()),
+      longest_(spans_.size()),
       paths_(block_count(particles)) {
     std::iota(order_.span().begin(), order_.span().end(), 0u);
     std::ranges::sort(order_.span(), {},
@@ -180,19 +190,22 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
                                        const ClothSide& cloth, float h, const CollidingParticles& particles) {
     std::uint32_t met = 0;
     bool has_paths = false;
+    float longest = 0;  // 0: not known
     BlockPaths all;
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end)) continue;
         if (has_paths && !may_be_near(motion, cloth.most_thickness, all)) continue;
         const float thickness = thickness_of(motion, cloth);
-        const Thinness thinness = thinness_of(motion, h, thickness, mean_edge_);
-        if (thinness == Thinness::thick) continue;
+        const std::optional<Slipping> slips = slipping(motion, h, thickness);
+        if (!slips) continue;
         if (!has_paths) all = find_paths(parallel, particles);
         has_paths = true;
         if (!meeting_with(motion, h, thickness, all)) continue;
-        const Cores cores(motion, h);
+        if (longest == 0) longest = longest_edge(parallel, particles.starts);
+        if (slips->beside(longest) == Thinness::thick) continue;
+        const Cores cores(motion, h, slips->edges_part);
         if (cores.empty()) continue;
-        const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_, thinness};
+        const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_, *slips};
         // What has been pushed draws triangles along that were not near.
         for (int search = 0; search < most_searches; ++search) {
             if (search > 0) all = find_paths(parallel, particles);
@@ -203,6 +216,20 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         met += take_off(parallel, meeting, colliders);
     }
     return met;
+}
+
+float WholeTriangles::longest_edge(Parallel& parallel, std::span<const Vec4> positions) {
+    parallel.ranges(static_cast<std::uint32_t>(triangles_.size()), [&](const BlockRange& range) {
+        float squared = 0;
+        for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin))
+            for (std::size_t k = 0; k < 3; ++k) {
+                if ((owned_[t] & (1u << k)) == 0) continue;
+                const Vec4 &a = positions[triangles_[t][k]], &b = positions[triangles_[t][(k + 1) % 3]];
+                squared = std::max(squared, (xyz(b) - xyz(a)).squaredNorm());
+            }
+        longest_[range.block] = std::sqrt(squared);
+    });
+    return *std::ranges::max_element(longest_.span());
 }
 
 /// Of each block; and of all.
@@ -225,8 +252,8 @@ BlockPaths WholeTriangles::joined(std::uint32_t first, std::uint32_t last) const
     return all;
 }
 
-/// Which triangles may come near a core, in ascending order; how many. Where one is as fast as it has to be,
-/// all count: others beside it are carried already.
+/// Which triangles may come near a core that is thin beside them, in ascending order; how many. Where one is
+/// as fast as it has to be, all count: others beside it are carried already.
 std::uint32_t WholeTriangles::find_near(Parallel& parallel, const Meeting& meeting) {
     parallel.ranges(static_cast<std::uint32_t>(triangles_.size()),
                     [&](const BlockRange& range) { find_near_in_block(meeting, range); });
@@ -253,8 +280,9 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
     const float gap = meeting.widest_gap();
     const auto may = meeting_with(meeting.motion, meeting.h, meeting.thickness(), paths);
-    if (!may || (meeting.only_fast() && may->thin == 0)) return;
-    const float least_way = meeting.only_fast() ? may->thin : -1;
+    if (!may || meeting.slipping.beside(longest_[range.block]) == Thinness::thick) return;
+    constexpr float never = std::numeric_limits<float>::infinity();
+    const float if_fast = may->thin == 0 ? never : may->thin;
     const Vector3 margin = Vector3::Constant(gap);
     const ParticleSides sides(meeting.cores.turning_box(gap), meeting.particles.starts,
                               meeting.particles.positions, span.first, span.last);
@@ -262,6 +290,8 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const Triangle& triangle = triangles_[t];
         if (sides.leave_out(triangle)) continue;
         const CornerPaths corners = meeting.paths(triangle);
+        const Thinness thinness = meeting.thinness(corners);
+        if (thinness == Thinness::thick) continue;
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
         box = Eigen::AlignedBox3f(box.min() - margin, box.max() + margin);
@@ -269,7 +299,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const auto is_near = [&](const Core& core) { return box.intersects(core.box); };
         if (!std::ranges::any_of(meeting.cores.list(), is_near)) continue;
         near_[range.begin + count++] = t;
-        if (longest_way(corners) > least_way) is_fast_[range.block] = 1;
+        if (thinness != Thinness::thin_if_fast || longest_way(corners) > if_fast) is_fast_[range.block] = 1;
     }
 }
 
@@ -293,8 +323,9 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     const float gap = meeting.gap(corners);
     bool any = false;
     CornerPaths paths = meeting.paths(corners);
+    const bool only_from_outside = meeting.thinness(paths) != Thinness::thinnest;
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& way) {
-        const auto approach = first_approach(meeting.cores, core, way, {gap, meeting.only_from_outside()});
+        const auto approach = first_approach(meeting.cores, core, way, {gap, only_from_outside});
         if (!approach) return;
         meeting.push(of, *approach);
         paths = meeting.paths(corners);

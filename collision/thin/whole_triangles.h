@@ -34,7 +34,7 @@ class WholeTriangles {
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return order_.bytes() + owned_.bytes() + spans_.bytes() + near_.bytes() + counts_.bytes() +
-               is_fast_.bytes() + paths_.bytes();
+               is_fast_.bytes() + longest_.bytes() + paths_.bytes();
     }
 
   private:
@@ -44,6 +44,8 @@ class WholeTriangles {
     struct Meeting;
 
     void find_owned();
+    /// Of the cloth at these positions [m].
+    [[nodiscard]] float longest_edge(Parallel& parallel, std::span<const Vec4> positions);
     [[nodiscard]] BlockPaths find_paths(Parallel& parallel, const CollidingParticles& particles);
     [[nodiscard]] BlockPaths joined(std::uint32_t first, std::uint32_t last) const;
     std::uint32_t find_near(Parallel& parallel, const Meeting& meeting);
@@ -63,6 +65,7 @@ class WholeTriangles {
     AlignedBuffer<std::uint32_t> near_;    // triangles, from each block's begin on
     AlignedBuffer<std::uint32_t> counts_;  // of these, by block
     AlignedBuffer<std::uint8_t> is_fast_;  // whether any of these is, by block
+    AlignedBuffer<float> longest_;         // of edges, by block
     AlignedBuffer<BlockPaths> paths_;      // by block of particles
 };
 

@@ -181,12 +181,12 @@ TEST(ThinColliders, WhatHasPiercedClothCanBeDrawnOut) {
 }
 
 /// Along x, its ends cut off square.
-struct OctagonalRod {
+struct Prism {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
-    explicit OctagonalRod(float radius) {
-        constexpr std::uint32_t sides = 8;
+    /// Of this many sides.
+    explicit Prism(float radius, std::uint32_t sides = 8) {
         for (std::uint32_t k = 0; k < sides; ++k) {
             const float angle = 2 * 3.14159265f * static_cast<float>(k) / sides;
             for (const float x : {-0.6f, 0.6f})
@@ -219,7 +219,7 @@ float pushed_through(Pushed pushed, float edges, float speed) {
     const ClothId cloth = world.add_cloth(sheet, {}).value();
     for (std::uint32_t i = 0; i < side; ++i) EXPECT_TRUE(world.pin(cloth, std::array{i}));
     ShapeId shape{};
-    if (pushed == Pushed::mesh_of_a_rod) shape = world.add_shape(OctagonalRod(radius).mesh()).value();
+    if (pushed == Pushed::mesh_of_a_rod) shape = world.add_shape(Prism(radius).mesh()).value();
     const auto at = [&](float z) -> Collider {
         const float y = -0.6f, x = 0.004f;
         if (pushed == Pushed::ball) return {.shape = Sphere{{x, y, z}, radius}};
@@ -233,9 +233,7 @@ float pushed_through(Pushed pushed, float edges, float speed) {
         EXPECT_TRUE(world.move_collider(collider, at(z)));
         world.step(step_length);
     }
-    // Edges of what is a mesh are met only while it moves.
-    if (pushed != Pushed::mesh_of_a_rod)
-        for (int k = 0; k < 30; ++k) world.step(step_length);
+    for (int k = 0; k < 30; ++k) world.step(step_length);
     float foremost = from;
     for (const Vec4& x : world.cloth(cloth)->positions)
         if (std::abs(x.x) < 0.05f) foremost = std::max(foremost, x.z);
@@ -257,6 +255,56 @@ TEST(ThinColliders, ABallSmallerThanACellMostlyCarriesTheSheet) {
         for (float speed = 0.15f; speed < 1.2f; speed += 0.15f, ++all)
             through += pushed_through(Pushed::ball, edges, speed) > 0 ? 0 : 1;
     EXPECT_LE(4 * through, all) << through << " of " << all;
+}
+
+/// A bar along z with this radius about the line through x = .013 m, of a kind.
+Collider bar_of_kind(World& world, int kind, float y, float radius) {
+    const Vec3 middle{0.013f, y, 0};
+    if (kind == 0) return {.shape = Capsule{{0.013f, y, -0.7f}, {0.013f, y, 0.7f}, radius}};
+    if (kind == 1) return {.shape = Box{.center = middle, .half_extents = {radius, radius, 0.7f}}};
+    const Prism prism(radius, kind == 2 ? 8 : 24);
+    const Rotation turn{0, 0.70710678f, 0, 0.70710678f};  // its axis is x
+    const ShapeId shape = kind == 2 ? world.add_shape(ConvexHull{prism.vertices}).value()
+                                    : world.add_shape(prism.mesh()).value();
+    return {.shape = PlacedShape{shape, middle, turn}};
+}
+
+// By particles alone cloth falls through whatever stands between two rows of them.
+TEST(ThinColliders, AStandingBarHoldsClothWhateverItsShape) {
+    for (const int kind : {0, 1, 2, 3}) {
+        LevelSheet sheet(32);
+        const Segment axis{{0.013f, -0.02f, -0.6f}, {0.013f, -0.02f, 0.6f}};
+        ASSERT_TRUE(sheet.world.add_collider(bar_of_kind(sheet.world, kind, -0.02f, 0.005f)));
+        for (int k = 0; k < 180; ++k) sheet.world.step(step_length);
+        EXPECT_EQ(pierced(sheet.view(), {axis}), 0) << "kind " << kind;
+        float highest = -1;
+        for (const Vec4& x : sheet.view().positions) highest = std::max(highest, x.y);
+        EXPECT_GT(highest, -0.03f) << "kind " << kind;
+    }
+}
+
+// Cells that a ball has drawn out to a multiple of their length would let it through once it stops.
+TEST(ThinColliders, ABallStaysBehindClothThatItStretches) {
+    for (const std::uint32_t side : {33u, 49u})
+        for (const float edges : {1.1f, 1.6f, 3.0f})
+            for (const float speed : {0.3f, 1.0f}) {
+                LevelSheet sheet(side);
+                sheet.pin_border();
+                const float radius = edges / static_cast<float>(side - 1) - 0.005f, from = -radius - 0.01f;
+                const auto at = [&](float y) {
+                    return Collider{.shape = Sphere{{0.011f, y, 0.017f}, radius}};
+                };
+                const ColliderId ball = sheet.world.add_collider(at(from)).value();
+                float y = from;
+                while (y < from + 0.2f) {
+                    y = std::min(from + 0.2f, y + speed * step_length);
+                    ASSERT_TRUE(sheet.world.move_collider(ball, at(y)));
+                    sheet.world.step(step_length);
+                }
+                for (int k = 0; k < 60; ++k) sheet.world.step(step_length);
+                EXPECT_EQ(pierced(sheet.view(), {{{0.011f, y, 0.017f}, {0.011f, y - 1, 0.017f}}}), 0)
+                    << side << " a side, ball of " << edges << " edges at " << speed << " m/s";
+            }
 }
 
 // From .55 edges on particles hold it, and it comes nearer to rest.

@@ -168,7 +168,7 @@ TEST(FirstApproach, MissesNoEdgeThatComesIntoTheGap) {
         const Vec3 b = random.point(0.2f);
         const ColliderMotion motion = at_rest(
             {TaperedCapsule{{}, b, random.uniform(0.02f, 0.06f), random.uniform(0.02f, 0.06f)}, 0.3f});
-        const Cores cores(motion, h);
+        const Cores cores(motion, h, true);
         const Core& core = cores.list().front();
         CornerPaths paths;
         for (std::size_t k = 0; k < 2; ++k) {

@@ -177,7 +177,7 @@ TEST(WholeTriangles, WhatIsThickHasNoPart) {
 // kept there.
 TEST(WholeTriangles, AnEdgeThatBeganInALimbIsLetBe) {
     const auto limb = [](float y) { return Collider{Capsule{{-1, y, 0}, {1, y, 0}, 0.02f}}; };
-    const Cores cores({limb(0), limb(0.08f)}, part);
+    const Cores cores({limb(0), limb(0.08f)}, part, true);
     const auto is_kept = [&](float y, bool only_from_outside) {
         const std::array<Vector3, 3> ends{Vector3(0.2f, y, -0.1f), Vector3(0.2f, y, 0.1f),
                                           Vector3(0.2f, y, -0.1f)};
