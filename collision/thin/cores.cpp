@@ -9,8 +9,8 @@ namespace weft {
 
 namespace {
 
-/// Radii, with the thickness, in edges of a cloth where it is: see Thinness. A rod slips between two rows of
-/// particles, a ball between the corners of a triangle.
+/// Radii, with the thickness, in sides of triangles as they are: see Thinness. A rod slips between two rows
+/// of particles, a ball between the corners of a triangle.
 constexpr float if_fast = 2, if_moved = 1.1f, rod_slips_through = 0.55f, ball_slips_through = 0.8f,
                 is_held_in = 0.4f;
 /// A collider that moves by less than this part of the thickness in a step stands still.
@@ -70,15 +70,11 @@ Width width_of(const HeldInstance& instance) {
 
 }  // namespace
 
-Thinness Slipping::beside(float longest_edge) const {
-    if (edges_part || thin < is_held_in * longest_edge) return Thinness::thinnest;
+Thinness Slipping::as_rod(float side) const {
+    if (thin < is_held_in * side) return Thinness::thinnest;
     const float slips_through = is_ball ? ball_slips_through : rod_slips_through;
-    if (thin < (moves ? if_moved : slips_through) * longest_edge) return Thinness::thin;
-    return thin < if_fast * longest_edge ? Thinness::thin_if_fast : Thinness::thick;
-}
-
-float Slipping::least_edge() const {
-    return edges_part ? 0 : thin / if_fast;
+    if (thin < (moves ? if_moved : slips_through) * side) return Thinness::thin;
+    return thin < if_fast * side ? Thinness::thin_if_fast : Thinness::thick;
 }
 
 std::optional<Slipping> slipping(const ColliderMotion& motion, float h, float thickness) {

@@ -31,23 +31,25 @@ struct Core {
 /// step and does not rest on it, so that particles alone meet what they can hold.
 enum class Thinness : std::uint8_t {
     thick,         ///< particles meet it
-    thin_if_fast,  ///< slips between particles that its speed draws apart: thinner than two edges
-    thin,          ///< slips between them, but they let it out again: thinner than 1.1 edges while the host
+    thin_if_fast,  ///< slips between particles that its speed draws apart: thinner than two sides
+    thin,          ///< slips between them, but they let it out again: thinner than 1.1 sides while the host
                    ///< moves it, else rods than .55 and balls than .8
     thinnest       ///< does not come out between them: thinner than two fifths; edges that move
 };
 
-/// How a collider slips through cloth, by how long the edges of the cloth are where it is. A step that draws
-/// cells to a multiple of their length lets through what they would hold at rest.
+/// How a collider slips through cloth, by the sides of a triangle where it is: their root mean square, about
+/// the cloth's mean edge at rest. A step that draws cells to a multiple of their size lets through what they
+/// would hold at rest.
 struct Slipping {
     float thin = 0;           ///< radius with the thickness, of a body half its width [m]
     bool is_ball = false;     ///< else a rod
     bool moves = false;       ///< and no body carries it
     bool edges_part = false;  ///< they move: cloth that lies on them would not come to rest
 
-    [[nodiscard]] Thinness beside(float longest_edge) const;
-    /// It is thick beside what has no longer edge [m].
-    [[nodiscard]] float least_edge() const;
+    /// What is round of it, beside sides of that length [m].
+    [[nodiscard]] Thinness as_rod(float side) const;
+    /// All of it.
+    [[nodiscard]] Thinness beside(float side) const { return edges_part ? Thinness::thinnest : as_rod(side); }
 };
 /// Nothing: it is thick beside all; also what has jumped.
 [[nodiscard]] std::optional<Slipping> slipping(const ColliderMotion& motion, float h, float thickness);

@@ -39,12 +39,6 @@ float longest_way(const CornerPaths& corners) {
     return std::sqrt(squared);
 }
 
-float longest_side(const std::array<Vector3, 3>& x) {
-    const float squared =
-        std::max({(x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()});
-    return std::sqrt(squared);
-}
-
 std::optional<weft::Meeting> meeting_with(const ColliderMotion& motion, float h, float thickness,
                                           const BlockPaths& paths) {
     return with_shapes(motion, [&](const auto& start, const auto& end) {
@@ -86,12 +80,13 @@ struct WholeTriangles::Meeting {
     float h, least_gap;
     Slipping slipping;
 
-    /// Beside a triangle that begins so.
-    [[nodiscard]] Thinness thinness(const CornerPaths& corners) const {
-        return slipping.beside(longest_side(corners.from));
+    /// Of the sides of a triangle that begins so.
+    [[nodiscard]] static float side(const CornerPaths& corners) {
+        const auto& [a, b, c] = corners.from;
+        return std::sqrt(((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm()) / 3);
     }
     [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }
-    [[nodiscard]] float widest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
+    [[nodiscard]] float longest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
     /// To be kept of these particles.
     [[nodiscard]] float gap(const Triangle& corners) const {
         float own = cloth.most_thickness;
@@ -190,7 +185,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
                                        const ClothSide& cloth, float h, const CollidingParticles& particles) {
     std::uint32_t met = 0;
     bool has_paths = false;
-    float longest = 0;  // 0: not known
+    float longest = 0;  // of edges; 0: not known
     BlockPaths all;
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end)) continue;
@@ -223,7 +218,6 @@ float WholeTriangles::longest_edge(Parallel& parallel, std::span<const Vec4> pos
         float squared = 0;
         for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin))
             for (std::size_t k = 0; k < 3; ++k) {
-                if ((owned_[t] & (1u << k)) == 0) continue;
                 const Vec4 &a = positions[triangles_[t][k]], &b = positions[triangles_[t][(k + 1) % 3]];
                 squared = std::max(squared, (xyz(b) - xyz(a)).squaredNorm());
             }
@@ -278,7 +272,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     is_fast_[range.block] = 0;
     const ParticleSpan& span = spans_[range.block];
     const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
-    const float gap = meeting.widest_gap();
+    const float gap = meeting.longest_gap();
     const auto may = meeting_with(meeting.motion, meeting.h, meeting.thickness(), paths);
     if (!may || meeting.slipping.beside(longest_[range.block]) == Thinness::thick) return;
     constexpr float never = std::numeric_limits<float>::infinity();
@@ -290,7 +284,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const Triangle& triangle = triangles_[t];
         if (sides.leave_out(triangle)) continue;
         const CornerPaths corners = meeting.paths(triangle);
-        const Thinness thinness = meeting.thinness(corners);
+        const Thinness thinness = meeting.slipping.beside(Meeting::side(corners));
         if (thinness == Thinness::thick) continue;
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
@@ -323,7 +317,9 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     const float gap = meeting.gap(corners);
     bool any = false;
     CornerPaths paths = meeting.paths(corners);
-    const bool only_from_outside = meeting.thinness(paths) != Thinness::thinnest;
+    const float side = Meeting::side(paths);
+    const bool only_from_outside = meeting.slipping.beside(side) != Thinness::thinnest;
+    const bool is_thick = meeting.slipping.as_rod(side) == Thinness::thick;
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& way) {
         const auto approach = first_approach(meeting.cores, core, way, {gap, only_from_outside});
         if (!approach) return;
@@ -333,6 +329,7 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     };
     const Vector3 margin = Vector3::Constant(gap);
     for (const Core& core : meeting.cores.list()) {
+        if (is_thick && !core.is_edge) continue;
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(paths.from[k]).extend(paths.to[k]);
         if (!Eigen::AlignedBox3f(box.min() - margin, box.max() + margin).intersects(core.box)) continue;

@@ -188,7 +188,7 @@ struct Prism {
     /// Of this many sides.
     explicit Prism(float radius, std::uint32_t sides = 8) {
         for (std::uint32_t k = 0; k < sides; ++k) {
-            const float angle = 2 * 3.14159265f * static_cast<float>(k) / sides;
+            const float angle = 2 * 3.14159265f * static_cast<float>(k) / static_cast<float>(sides);
             for (const float x : {-0.6f, 0.6f})
                 vertices.push_back({x, radius * std::cos(angle), radius * std::sin(angle)});
         }
