@@ -126,6 +126,20 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
     });
 }
 
+void forget_own_changes(ClothState& state) {
+    if (state.record.velocity_changes.size() == 0) return;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double mass = 0;
+    for (std::uint32_t i = 0; i < state.size(); ++i) {
+        if (state.positions[i].w == 0) continue;
+        const double m = 1 / static_cast<double>(state.positions[i].w);
+        sum += m * xyz(state.record.velocity_changes[i]).cast<double>();
+        mass += m;
+    }
+    if (!(mass > 0)) return;
+    std::ranges::fill(state.record.velocity_changes.span(), to_vec4((sum / mass).cast<float>(), 0));
+}
+
 void History::begin(Parallel& parallel, const ClothState& state, float divisor) {
     const BaseRows rows{.positions = state.positions.data(),
                         .velocities = state.velocities.data(),

@@ -31,6 +31,10 @@ struct Bdf {
 /// layers bounce off each other. The rows number the cloth's particles from `first` on.
 void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state);
 
+/// Of the last step's velocity changes, keeps what all particles that move have in common: gravity, and what
+/// free cloth has as a whole.
+void forget_own_changes(ClothState& state);
+
 /// The bases of one step, which are made from the record of the last one.
 class History {
   public:

@@ -36,8 +36,8 @@ struct SolveResult {
     float residual = 0;     ///< see StepResidual, which measures every method alike
     bool ok = true;         ///< false: no solution was found, and the velocities may hold anything
     bool unsolved = false;  ///< more of the equation is left than the method tolerates
-    /// So much is left beside the motion itself that the next step had better not go on with what this one
-    /// changed.
+    /// So much is left beside the motion itself that the next step had better not go on with how this one
+    /// changed each particle's velocity.
     bool is_rough = false;
 };
 

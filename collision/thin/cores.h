@@ -37,9 +37,8 @@ enum class Thinness : std::uint8_t {
     thinnest       ///< does not come out between them: thinner than two fifths; edges that move
 };
 
-/// How a collider slips through cloth, by the sides of a triangle where it is: their root mean square, about
-/// the cloth's mean edge at rest. A step that draws cells to a multiple of their size lets through what they
-/// would hold at rest.
+/// How a collider slips through cloth, by how long sides of triangles are where it is. A step that draws
+/// cells to a multiple of their size lets through what they would hold at rest.
 struct Slipping {
     float thin = 0;           ///< radius with the thickness, of a body half its width [m]
     bool is_ball = false;     ///< else a rod

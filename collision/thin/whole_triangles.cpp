@@ -77,21 +77,27 @@ struct WholeTriangles::Meeting {
     const ColliderMotion& motion;
     const ClothSide& cloth;
     const CollidingParticles& particles;
-    float h, least_gap;
+    float h, mean_edge;
     Slipping slipping;
 
-    /// Of the sides of a triangle that begins so.
-    [[nodiscard]] static float side(const CornerPaths& corners) {
+    /// Of a triangle that begins so, the mean of its two shorter sides: a cell's, not its diagonal. Beside
+    /// rods that stand no more than at rest: what two limbs squeeze is drawn out, and rests only where
+    /// particles alone hold it.
+    [[nodiscard]] float side(const CornerPaths& corners) const {
         const auto& [a, b, c] = corners.from;
-        return std::sqrt(((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm()) / 3);
+        const float ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
+        const float side = 0.5f * (ab + bc + ca - std::max({ab, bc, ca}));
+        return slipping.moves || slipping.is_ball ? side : std::min(side, mean_edge);
     }
     [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }
-    [[nodiscard]] float longest_gap() const { return std::max(part_of_thickness * thickness(), least_gap); }
+    [[nodiscard]] float longest_gap() const {
+        return std::max(part_of_thickness * thickness(), least_gap * mean_edge);
+    }
     /// To be kept of these particles.
     [[nodiscard]] float gap(const Triangle& corners) const {
         float own = cloth.most_thickness;
         for (const std::uint32_t i : corners) own = std::min(own, cloth.thickness[i]);
-        return std::max(part_of_thickness * (own + motion.end.thickness), least_gap);
+        return std::max(part_of_thickness * (own + motion.end.thickness), least_gap * mean_edge);
     }
     [[nodiscard]] CornerPaths paths(const Triangle& corners) const {
         CornerPaths paths;
@@ -200,7 +206,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         if (slips->beside(longest) == Thinness::thick) continue;
         const Cores cores(motion, h, slips->edges_part);
         if (cores.empty()) continue;
-        const Meeting meeting{cores, motion, cloth, particles, h, least_gap * mean_edge_, *slips};
+        const Meeting meeting{cores, motion, cloth, particles, h, mean_edge_, *slips};
         // What has been pushed draws triangles along that were not near.
         for (int search = 0; search < most_searches; ++search) {
             if (search > 0) all = find_paths(parallel, particles);
@@ -284,7 +290,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const Triangle& triangle = triangles_[t];
         if (sides.leave_out(triangle)) continue;
         const CornerPaths corners = meeting.paths(triangle);
-        const Thinness thinness = meeting.slipping.beside(Meeting::side(corners));
+        const Thinness thinness = meeting.slipping.beside(meeting.side(corners));
         if (thinness == Thinness::thick) continue;
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
@@ -317,9 +323,12 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     const float gap = meeting.gap(corners);
     bool any = false;
     CornerPaths paths = meeting.paths(corners);
-    const float side = Meeting::side(paths);
+    const float side = meeting.side(paths);
     const bool only_from_outside = meeting.slipping.beside(side) != Thinness::thinnest;
-    const bool is_thick = meeting.slipping.as_rod(side) == Thinness::thick;
+    // Edges hold what is nearly as wide as cells; what is round within them would push the other way.
+    const Thinness as_rod = meeting.slipping.as_rod(side);
+    const bool is_thick =
+        as_rod == Thinness::thick || (meeting.slipping.edges_part && as_rod == Thinness::thin_if_fast);
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& way) {
         const auto approach = first_approach(meeting.cores, core, way, {gap, only_from_outside});
         if (!approach) return;

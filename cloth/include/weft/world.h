@@ -223,9 +223,9 @@ class WEFT_API World {
     /// Cloths that may meet the same body are solved with it as one equation: those with
     /// SelfCollisionMethod::contact, and those without it. The two, and cloths of another method, of other
     /// ClothSettings::substeps, time scheme or in a frame, are solved in turn, each expecting of the others
-    /// what they gave last: that wants a body that is not much lighter than the cloths. Cloth that only free
-    /// bodies touch keeps momentum with them to rounding, unless features of it meet others. A body smaller
-    /// than the cells of the cloth, as stretched, falls through them.
+    /// what they gave last: that wants a body that is not much lighter than the cloths. Cloths of one
+    /// equation and bodies that nothing else holds keep their momentum together to rounding. Bodies meet
+    /// neither one another nor the World's other colliders: the host's engine does that.
     ///
     /// Each gives every cloth 192 bytes; the first of a World also 100 bytes a particle, and what a first
     /// collider does.
