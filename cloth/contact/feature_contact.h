@@ -166,8 +166,9 @@ class FeatureContact {
     void part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding);
     /// From the motion that was searched for to the one that is to be cut.
     struct Change {
-        float longest = 0;          ///< of the motions that are to be cut [m]; infinite if one is not finite
-        std::uint32_t strayed = 0;  ///< particles round which pairs may come within reach that are not listed
+        float longest = 0;           ///< of the motions that are to be cut [m]; infinite if one is not finite
+        std::uint32_t unlisted = 0;  ///< particles that PairFinder::is_unlisted
+        std::uint32_t marked = 0;    ///< particles with any mark
     };
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
     [[nodiscard]] BodyGroup group() const { return {ranges_.span(), start_.span()}; }

@@ -104,26 +104,31 @@ bool FeatureContact::part_touching(Parallel& parallel) {
     return any;
 }
 
-/// Marks particles whose motion ends farther from the way that was searched than the search looked round it:
-/// see PairNarrowing.
+/// Marks particles whose motion ends farther from the way that was searched than the search looked round it
+/// (see PairNarrowing), and those that end as far from its end (see PairFinder::find_more).
 FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, float reach) {
     constexpr float with_rounding = 0.49f, infinity = std::numeric_limits<float>::infinity();
     const auto find_block = [&](const BlockRange& range) {
-        const float slack =
-            with_rounding * (of_borders * cloths_[body_of(bodies_.span(), range.begin)].radius - reach);
+        const float radius = cloths_[body_of(bodies_.span(), range.begin)].radius;
+        const float slack = with_rounding * (of_borders * radius - reach),
+                    at_end = with_rounding * (radius - reach);
         Change change;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const Vector3 way = xyz(searched_[i]), end = xyz(settler_.relative()[i]);
             const float length2 = way.squaredNorm(), length = end.norm();
             const float part = length2 > 0 ? std::clamp(way.dot(end) / length2, 0.0f, 1.0f) : 0.0f;
-            marks_[i] = (end - part * way).norm() <= slack ? 0 : 1;
-            change.strayed += marks_[i];
+            const bool is_listed = (end - part * way).norm() <= slack,
+                       has_come = (end - way).norm() <= at_end;
+            marks_[i] = static_cast<std::uint8_t>((is_listed ? 0 : PairFinder::is_unlisted) |
+                                                  (has_come ? 0 : PairFinder::has_strayed));
+            change.unlisted += is_listed ? 0 : 1;
+            change.marked += marks_[i] != 0 ? 1 : 0;
             change.longest = std::max(change.longest, std::isfinite(length) ? length : infinity);
         }
         return change;
     };
     const auto add = [](const Change& a, const Change& b) {
-        return Change{std::max(a.longest, b.longest), a.strayed + b.strayed};
+        return Change{std::max(a.longest, b.longest), a.unlisted + b.unlisted, a.marked + b.marked};
     };
     return reduce_ranges(parallel, ranges_.span(), changes_.span(), Change{}, find_block, add);
 }
@@ -137,9 +142,9 @@ void FeatureContact::find_for_cut(Parallel& parallel) {
         float reach = 0;
         for (const ContactCloth& cloth : cloths_) reach = std::max(reach, cloth.floor);
         const Change change = change_of_motion(parallel, reach);
-        if (std::isfinite(change.longest) && few * change.strayed <= start_.size()) {
+        if (std::isfinite(change.longest) && few * change.unlisted <= start_.size()) {
             narrowing_.narrow(parallel, start_.span(), settler_.relative(), reach, change.longest, pairs_);
-            if (change.strayed > 0 || finder_.has_charts()) find_more(parallel);
+            if (change.marked > 0) find_more(parallel);
             return;
         }
     }
@@ -211,7 +216,7 @@ FeatureCounts FeatureContact::go_on(Parallel& parallel, bool is_pushed) {
             set_xyz(displacements_[i], left);
             set_xyz(searched_[i], left);
             set_xyz(start_[i], here);
-            marks_[i] = left.isZero(0) ? 0 : 1;
+            marks_[i] = left.isZero(0) ? 0 : std::uint8_t{PairFinder::is_unlisted | PairFinder::has_strayed};
         }
     });
     const bool was_uncertain = is_uncertain_;
@@ -244,6 +249,7 @@ SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
 /// part of their motions, and may not stay apart once some particles are cut. Returns whether there are such.
 bool FeatureContact::find_opened(Parallel& parallel) {
     if (!finder_.has_charts()) return false;
+    set_reach(&ContactCloth::floor);
     for_ranges(parallel, ranges_.span(), [&](const BlockRange& range) {  // the bases are of no more use
         for (std::uint32_t i = range.begin; i < range.end; ++i)
             set_xyz(base_[i], settler_.fractions()[i] * xyz(settler_.relative()[i]));

@@ -49,12 +49,14 @@ std::size_t wanted_patches(const ContactScene& scene) {
                        .groups = {of_groups.data(), 1},
                        .strains = {strains.data(), strains.size()},
                        .gradients = {gradients.data(), gradients.size()},
+                       .wanted_gradients = {},
                        .neighbours = {neighbours.data(), neighbours.size()},
                        .wanted = {wanted.data(), wanted.size()}};
     const PairSearch search{bodies, blocks, &boxes, scene.positions.data(), scene.motions.data()};
     for (std::uint32_t b = 0; b < blocks.size(); ++b)
         set_box(boxes.blocks[0], b, place_patches(search, b, boxes));
     set_box(boxes.groups[0], 0, {{-1e30f, -1e30f, -1e30f}, {1e30f, 1e30f, 1e30f}});
+    for (std::uint32_t b = 0; b < blocks.size(); ++b) place_gradients(search, b, boxes);
     for (std::uint32_t b = 0; b < blocks.size(); ++b) find_neighbours(search, b, boxes);
     for (std::uint32_t b = 0; b < blocks.size(); ++b) want_features(search, b, boxes);
     return static_cast<std::size_t>(std::ranges::count(boxes.wanted.span(), std::uint8_t{1}));
@@ -234,8 +236,7 @@ TEST(CalmPatches, SheetsOfOneMeshAreCalmEachForItself) {
 }
 
 /// A sheet that waves, and goes on waving: smooth motions, longer than edges, and a jitter.
-ContactScene fluttering(float strength, std::uint32_t seed) {
-    constexpr std::uint32_t side = 11;
+ContactScene fluttering(float strength, std::uint32_t seed, std::uint32_t side = 11) {
     const std::vector<Vec4> rest = flat(side, side);
     const std::vector<Vec4> now = smoothly(rest, strength, seed),
                             then = smoothly(now, 0.5f * strength, seed + 50);
@@ -330,7 +331,8 @@ TEST(CalmPatches, OtherMotionsOpenWhatWasPassedOver) {
         ContactScene scene = fluttering(0.25f, seed);
         const std::vector<Vec4> others = fluttering(0.75f, seed + 1).motions;
         SearchAlike search(scene);
-        const std::vector<std::uint8_t> marks(scene.positions.size(), 1);
+        const std::vector<std::uint8_t> marks(scene.positions.size(),
+                                              PairFinder::is_unlisted | PairFinder::has_strayed);
         search.finder.find_more(search.parallel, scene.bodies, scene.positions, others, marks, search.list);
         near += expect_listed(scene, others, search.list);
     }
@@ -359,6 +361,68 @@ TEST(CalmPatches, WhatIsCutIsListedWhereItComesNear) {
     }
     EXPECT_GT(near, 100u);
     EXPECT_GT(opened, 3u);
+}
+
+/// Pairs of neighbours that a search for all the same part of its motions passed over, and that one for these
+/// motions does not, if all are asked for.
+std::set<Corners> opened_by(const ContactScene& scene, const std::vector<Vec4>& cut) {
+    SearchAlike search(scene);
+    LaidOut<PairList> opened(1 << 18);
+    const std::vector<std::uint8_t> all(cut.size(), PairFinder::has_strayed);
+    search.finder.find_more(search.parallel, scene.bodies, scene.positions, cut, all, opened);
+    return keys_of(opened);
+}
+
+// What goes the whole way again after a cut before is told apart from what does not. A search for crossings
+// in between, whose boxes are smaller, does not matter.
+TEST(CalmPatches, NeighboursOfWhichAParticleIsCutOpenAsIfAllWereAskedFor) {
+    std::size_t opened = 0;
+    for (std::uint32_t seed = 0; seed < 120; ++seed) {
+        const ContactScene scene = fluttering(0.25f + 0.05f * static_cast<float>(seed % 6), seed, 15);
+        SearchAlike search(scene);
+        LaidOut<CrossingList> crossings(1 << 10);
+        for (std::uint32_t k = 0; k < 2; ++k) {
+            const std::vector<Vec4> cut = cut_at_random(scene.motions, seed % 2 == 0 ? 8 : 60, 2 * seed + k);
+            search.finder.find_crossings(search.parallel, scene.bodies, scene.positions, crossings);
+            search.finder.find_opened(search.parallel, scene.bodies, scene.positions, scene.motions, cut,
+                                      search.list);
+            const std::set<Corners> listed = keys_of(search.list), all = opened_by(scene, cut);
+            const auto is_cut = [&](std::uint32_t i) { return xyz(cut[i]) != xyz(scene.motions[i]); };
+            const auto is_missing = [&](const Corners& pair) {
+                return std::ranges::any_of(pair, is_cut) && !listed.contains(pair);
+            };
+            EXPECT_EQ(std::ranges::count_if(all, is_missing), 0) << seed << " " << k;
+            opened += all.empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GT(opened, 20u);
+}
+
+// A search farther round a motion says enough of another that ends near its end.
+TEST(CalmPatches, OnlyNeighboursThatStrayAreAskedForAgain) {
+    std::size_t near = 0, opened = 0;
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
+        ContactScene scene = fluttering(0.25f + 0.25f * static_cast<float>(seed % 3), seed, 15);
+        SearchAlike search(scene);
+        const float wide = scene.bodies[0].reach, reach = 0.1f * edge, slack = 0.49f * (wide - reach);
+        scene.bodies[0].reach = reach;
+        std::vector<Vec4> motions = random_vectors(scene.motions.size(), slack / std::sqrt(3.0f), seed + 9);
+        std::vector<std::uint8_t> marks(motions.size());
+        const std::vector<Vec4> others = fluttering(0.75f, seed + 1, 15).motions;
+        std::mt19937 random(seed);
+        for (std::size_t i = 0; i < motions.size(); ++i) {
+            set_xyz(motions[i], xyz(motions[i]) + xyz(scene.motions[i]));
+            if (random() % 50 != 0) continue;
+            motions[i] = others[i];
+            marks[i] = PairFinder::is_unlisted | PairFinder::has_strayed;
+        }
+        const std::size_t before = keys_of(search.list).size();
+        search.finder.find_more(search.parallel, scene.bodies, scene.positions, motions, marks, search.list);
+        near += expect_listed(scene, motions, search.list);
+        opened += keys_of(search.list).size() - before;
+    }
+    EXPECT_GT(near, 20u);
+    EXPECT_GT(opened, 20u);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Boxes of patches and features over their motion.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -143,10 +144,9 @@ class SumOfSlots {
     Lanes lanes_[6][16 / part_lanes];
 };
 
-/// Fills the gradients of a patch's triangles, or those at the end where these at the start are known.
-/// Returns the sum of both.
+/// Fills the gradients of a patch's triangles, and returns their sum.
 HWY_INLINE ChartFrame place_gradients(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span,
-                                      bool knows_start, TriangleGradients* groups) {
+                                      TriangleGradients* groups) {
     const Tag d;
     constexpr float most2 = 400;  // beyond it, rounding counts
     SumOfSlots sums;
@@ -170,11 +170,7 @@ HWY_INLINE ChartFrame place_gradients(const Moving& moving, const ContactMesh& m
             }
         };
         const SideLanes sides(moving.positions, mesh.triangle_slots(), slot);
-        if (knows_start) {
-            for (std::size_t i = 0; i < 6; ++i) add(i, load_lanes(group.start[i] + slot % 16));
-        } else {
-            store(sides.a, sides.b, group.start);
-        }
+        store(sides.a, sides.b, group.start);
         if (moving.motions == nullptr) continue;
         const SideLanes changes(moving.motions, mesh.triangle_slots(), slot);
         store(sides.a + changes.a, sides.b + changes.b, group.end);
@@ -242,27 +238,16 @@ HWY_INLINE void for_each_patch(const PairSearch& search, std::uint32_t block, co
 }
 
 Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    // Opened neighbours are looked for with the boxes of the search before, whose motions were longer.
-    const bool knows_boxes = search.looks == Looks::at_opened_ones;
     for_each_patch(search, block,
                    [&](std::uint32_t k, const ContactPatch& patch, const SearchedBody& body,
                        const Moving& moving) HWY_ATTR {
-                       const ContactMesh& mesh = *body.mesh;
-                       const bool has_charts = !mesh.flat_rest().is_empty();
+                       const Placed all = place_corners(moving, *body.mesh, patch.corners);
+                       set_box(boxes.patches[block], k, hull_of_lanes(all.box));
+                       if (body.mesh->flat_rest().is_empty()) return;
+                       const Bounds m = hull_of_lanes(all.motion);
                        PatchStrain& strain = boxes.strains[block * PatchBlock::most + k];
-                       boxes.wanted[block * PatchBlock::most + k] = 0;
-                       if (!knows_boxes) {
-                           const Placed all = place_corners(moving, mesh, patch.corners);
-                           set_box(boxes.patches[block], k, hull_of_lanes(all.box));
-                           if (has_charts) {
-                               const Bounds m = hull_of_lanes(all.motion);
-                               strain.least_motion = {m.lower.x, m.lower.y, m.lower.z};
-                               strain.most_motion = {m.upper.x, m.upper.y, m.upper.z};
-                           }
-                       }
-                       if (has_charts)
-                           strain.sum = place_gradients(moving, mesh, patch.triangles, knows_boxes,
-                                                        &boxes.gradients[body.first_gradients]);
+                       strain.least_motion = {m.lower.x, m.lower.y, m.lower.z};
+                       strain.most_motion = {m.upper.x, m.upper.y, m.upper.z};
                    });
     // Another search's block may have had more patches.
     for (std::uint32_t k = search.blocks[block].patch_count; k < PatchBlock::most; ++k)
@@ -270,31 +255,70 @@ Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes&
     return hull_of(boxes.patches[block]);
 }
 
-void find_known(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+/// visit(body, pair, known, p, was_calm) for the neighbours that a search asks for, of a block's patches p
+/// and those not before them. Others stay calm, or count as looked at.
+template <class Visit>
+HWY_INLINE void for_each_asked(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes,
+                               const Visit& visit) {
     const PatchBlock& patches = search.blocks[block];
     const SearchedBody& body = search.bodies[patches.body];
     const FlatRest& rest = body.mesh->flat_rest();
     if (rest.is_empty()) return;
-    const PatchStrain* const strains = &boxes.strains[std::size_t{body.first_block} * PatchBlock::most];
-    const TriangleGradients* const gradients = &boxes.gradients[body.first_gradients];
-    for (std::uint32_t k = 0; k < patches.patch_count; ++k) {
-        const std::uint32_t p = patches.first_patch + k;
-        bool any_calm = false;
+    const auto is_marked = [&](const std::uint16_t* marked, std::uint32_t p) {
+        return (marked[body.first_block + p / PatchBlock::most] >> p % PatchBlock::most & 1) != 0;
+    };
+    for (std::uint32_t p = patches.first_patch; p < patches.first_patch + patches.patch_count; ++p) {
         for (std::uint32_t n = rest.first_of(p + 1); n-- > rest.first_of(p);) {
             const PatchNeighbours& pair = rest.neighbours()[n];
             Neighbours& known = boxes.neighbours[body.first_neighbours + n];
-            const bool was_calm = search.looks != Looks::afresh && known == Neighbours::calm;
-            if (search.looks == Looks::at_opened_ones && !was_calm) {
+            const bool was_calm = search.only != nullptr && known == Neighbours::calm;
+            const std::uint16_t* const marked = was_calm ? search.strayed : search.only;
+            if (marked == nullptr || is_marked(marked, p) || is_marked(marked, pair.other))
+                visit(body, pair, known, p, was_calm);
+            else if (!was_calm)
                 known = Neighbours::looked_at;
-                continue;
-            }
-            // A region around the patch and another is around the patch itself, which comes first.
-            const bool is_calm = (pair.other == p && any_calm) ||
-                                 are_calm(search, body, pair, strains[p], strains[pair.other], gradients);
-            any_calm |= is_calm;
-            known = is_calm ? Neighbours::calm : was_calm ? Neighbours::opened : Neighbours::looked_at;
         }
     }
+}
+
+void want_asked(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    for_each_asked(
+        search, block, boxes,
+        [&](const SearchedBody& body, const PatchNeighbours& pair, Neighbours, std::uint32_t, bool) {
+            for (const TriangleGroup& group : body.mesh->flat_rest().cover(pair))
+                store_relaxed(boxes.wanted_gradients[body.first_gradients + group.number], 1);
+        });
+}
+
+void place_strains(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    for_each_patch(
+        search, block,
+        [&](std::uint32_t k, const ContactPatch& patch, const SearchedBody& body, const Moving& moving)
+            HWY_ATTR {
+                if (body.mesh->flat_rest().is_empty()) return;
+                const std::span<const std::uint8_t> wanted = boxes.wanted_gradients.span().subspan(
+                    body.first_gradients + patch.triangles.first / 16, (patch.triangles.count + 15) / 16);
+                if (search.only == nullptr || std::ranges::find(wanted, 1) != wanted.end())
+                    boxes.strains[block * PatchBlock::most + k].sum = place_gradients(
+                        moving, *body.mesh, patch.triangles, &boxes.gradients[body.first_gradients]);
+            });
+}
+
+void find_known(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    std::uint32_t calm = ~0u;  // the last patch of which some are
+    for_each_asked(
+        search, block, boxes,
+        [&](const SearchedBody& body, const PatchNeighbours& pair, Neighbours& known, std::uint32_t p,
+            bool was_calm) HWY_ATTR {
+            const PatchStrain* const strains =
+                &boxes.strains[std::size_t{body.first_block} * PatchBlock::most];
+            // A region around the patch and another is around the patch itself, which comes last.
+            const bool is_calm = (pair.other == p && calm == p) ||
+                                 are_calm(search, body, pair, strains[p], strains[pair.other],
+                                          &boxes.gradients[body.first_gradients]);
+            if (is_calm) calm = p;
+            known = is_calm ? Neighbours::calm : was_calm ? Neighbours::opened : Neighbours::looked_at;
+        });
 }
 
 bool want(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
@@ -333,12 +357,22 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(place_around);
+HWY_EXPORT(want_asked);
+HWY_EXPORT(place_strains);
 HWY_EXPORT(find_known);
 HWY_EXPORT(want);
 HWY_EXPORT(place_wanted);
 
 Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
     return HWY_DYNAMIC_DISPATCH(place_around)(search, block, boxes);
+}
+
+void want_gradients(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    HWY_DYNAMIC_DISPATCH(want_asked)(search, block, boxes);
+}
+
+void place_gradients(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
+    HWY_DYNAMIC_DISPATCH(place_strains)(search, block, boxes);
 }
 
 void find_neighbours(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {

@@ -201,8 +201,7 @@ inline bool is_to_be_looked_at(const PairSearch& search, const SearchedPatch& a,
 /// The patches of block `other`, a bit for each, that make a marked pair with patch p of `block`.
 inline std::uint32_t marked_beside(const PairSearch& search, std::uint32_t block, std::uint32_t p,
                                    std::uint32_t other) {
-    if (search.looks == Looks::afresh) return ~0u;
-    if (search.looks == Looks::at_opened_ones) return 0;
+    if (search.only == nullptr) return ~0u;
     return (search.only[block] >> p & 1) != 0 ? ~0u : search.only[other];
 }
 
@@ -217,8 +216,7 @@ HWY_INLINE void for_each_near_patch(const PairSearch& search, std::uint32_t bloc
         const SearchedBody& other_body = search.bodies[search.blocks[other].body];
         if (!may_meet(body, other_body)) return;
         const bool may_be_neighbours = &body == &other_body && !body.mesh->flat_rest().is_empty();
-        if (!may_be_neighbours && search.looks != Looks::afresh &&
-            (search.looks == Looks::at_opened_ones || (search.only[block] | search.only[other]) == 0))
+        if (!may_be_neighbours && search.only != nullptr && (search.only[block] | search.only[other]) == 0)
             return;
         for (std::uint32_t p = 0; p < search.blocks[block].patch_count; ++p) {
             const SearchedPatch patch(search, block, p);

@@ -53,6 +53,7 @@ void PairFinder::lay_out(Scratch& scratch, const Room& room) {
     scratch.take(boxes_.groups, (groups + 15) / 16);
     scratch.take(boxes_.strains, blocks * PatchBlock::most);
     scratch.take(boxes_.gradients, room.gradients);
+    scratch.take(boxes_.wanted_gradients, room.gradients);
     scratch.take(boxes_.neighbours, room.neighbours);
     scratch.take(of_crossings_, room.neighbours);
     scratch.take(boxes_.wanted, blocks * PatchBlock::most);
@@ -62,6 +63,7 @@ void PairFinder::lay_out(Scratch& scratch, const Room& room) {
     scratch.take(crossing_room_, blocks * kept_crossings);
     scratch.take(block_crossings_, blocks);
     scratch.take(only_, blocks);
+    scratch.take(strayed_, blocks);
 }
 
 void PairFinder::choose(std::span<const ContactBody> bodies) {
@@ -105,30 +107,38 @@ void PairFinder::find(Parallel& parallel, std::span<const ContactBody> bodies,
     search(parallel, all, found, full);
 }
 
-std::uint16_t PairFinder::marked_patches(std::span<const std::uint8_t> marks, std::uint32_t block) const {
-    const PatchBlock& patches = blocks_[block];
-    const SearchedBody& body = bodies_[patches.body];
-    const std::span<const std::uint32_t> all = body.mesh->corner_slots().corners[0].span();
-    std::uint32_t marked = 0;
-    for (std::uint32_t p = 0; p < patches.patch_count; ++p) {
-        const SlotSpan& corners = body.mesh->patches()[patches.first_patch + p].corners;
-        std::uint8_t any = 0;
-        for (const std::uint32_t i : all.subspan(corners.first, corners.count)) any |= marks[body.first + i];
-        marked |= (any != 0 ? 1u : 0u) << p;
-    }
-    return static_cast<std::uint16_t>(marked);
+PairSearch PairFinder::search_of_marked(Parallel& parallel, std::span<const Vec4> positions,
+                                        const Vec4* motions, const auto& marks_of) {
+    parallel.blocks(block_count_, [&](std::uint32_t block) {
+        const PatchBlock& patches = blocks_[block];
+        const SearchedBody& body = bodies_[patches.body];
+        const std::span<const std::uint32_t> all = body.mesh->corner_slots().corners[0].span();
+        std::uint32_t only = 0, strayed = 0;
+        for (std::uint32_t p = 0; p < patches.patch_count; ++p) {
+            const SlotSpan& corners = body.mesh->patches()[patches.first_patch + p].corners;
+            std::uint32_t marks = 0;
+            for (const std::uint32_t i : all.subspan(corners.first, corners.count))
+                marks |= std::uint32_t{marks_of(body.first + i)};
+            only |= ((marks & is_unlisted) != 0 ? 1u : 0u) << p;
+            strayed |= ((marks & has_strayed) != 0 ? 1u : 0u) << p;
+        }
+        only_[block] = static_cast<std::uint16_t>(only);
+        strayed_[block] = static_cast<std::uint16_t>(strayed);
+    });
+    PairSearch search = search_of(positions, motions, 1);
+    search.together = true;
+    search.only = only_.data();
+    search.strayed = strayed_.data();
+    return search;
 }
 
 void PairFinder::find_more(Parallel& parallel, std::span<const ContactBody> bodies,
                            std::span<const Vec4> positions, std::span<const Vec4> motions,
                            std::span<const std::uint8_t> marks, PairList& list) {
     choose(bodies);
-    parallel.blocks(block_count_, [&](std::uint32_t block) { only_[block] = marked_patches(marks, block); });
-    PairSearch around_marks = search_of(positions, motions.data(), 1);
-    around_marks.together = true;
-    around_marks.looks = Looks::around_marks;
-    around_marks.only = only_.data();
-    search(parallel, around_marks, list, FullList::is_empty);
+    const PairSearch marked =
+        search_of_marked(parallel, positions, motions.data(), [&](std::uint32_t i) { return marks[i]; });
+    search(parallel, marked, list, FullList::is_empty);
 }
 
 bool PairFinder::find_opened(Parallel& parallel, std::span<const ContactBody> bodies,
@@ -136,21 +146,26 @@ bool PairFinder::find_opened(Parallel& parallel, std::span<const ContactBody> bo
                              std::span<const Vec4> cut, PairList& list) {
     choose(bodies);
     if (neighbour_count_ == 0) return false;
-    PairSearch opened = search_of(positions, cut.data(), 1);
-    opened.together = true;
-    opened.looks = Looks::at_opened_ones;
-    parallel.blocks(block_count_, [&](std::uint32_t block) { place_patches(opened, block, boxes_); });
-    parallel.blocks(block_count_, [&](std::uint32_t block) { find_neighbours(opened, block, boxes_); });
-    if (std::ranges::find(boxes_.neighbours.span().first(neighbour_count_), Neighbours::opened) ==
-        boxes_.neighbours.span().first(neighbour_count_).end())
-        return false;
+    PairSearch opened = search_of_marked(parallel, positions, cut.data(), [&](std::uint32_t i) {
+        return xyz(cut[i]) == xyz(motions[i]) ? std::uint8_t{0} : has_strayed;
+    });
+    ask_neighbours(parallel, opened);
+    const std::span<const Neighbours> neighbours = boxes_.neighbours.span().first(neighbour_count_);
+    if (std::ranges::find(neighbours, Neighbours::opened) == neighbours.end()) return false;
     opened.motions = motions.data();
-    search(parallel, opened, list, FullList::is_empty);
+    place(parallel, opened);
+    list_pairs(parallel, opened, list, FullList::is_empty);
     return true;
 }
 
 void PairFinder::search(Parallel& parallel, const PairSearch& search, PairList& found, FullList full) {
     place(parallel, search);
+    ask_neighbours(parallel, search);
+    list_pairs(parallel, search, found, full);
+}
+
+void PairFinder::list_pairs(Parallel& parallel, const PairSearch& search, PairList& found, FullList full) {
+    want(parallel, search);
     count_pairs(parallel, search, static_cast<std::uint32_t>(found.capacity()) - found.size, full);
     number(found);
     if (found.overflowed && full == FullList::is_empty) {
@@ -186,6 +201,8 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
     };
     std::swap(boxes_.neighbours, of_crossings_);
     place(parallel, search);
+    ask_neighbours(parallel, search);
+    want(parallel, search);
     parallel.blocks(block_count_, [&](std::uint32_t block) {
         Found<Crossing> crossings{room_of_block(block)};
         if (is_calm_[block] == 0) weft::find_crossings(search, block, crossings);
@@ -219,8 +236,20 @@ void PairFinder::place(Parallel& parallel, const PairSearch& search) {
     for (std::uint32_t k = block_count_; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
     for (std::uint32_t k = 0; k < 16 * boxes_.groups.size(); ++k)
         set_box(boxes_.groups[k / 16], k % 16, k < groups ? hull(boxes_.blocks[k]) : no_box);
-    if (neighbour_count_ > 0 && search.looks != Looks::at_opened_ones)
-        parallel.blocks(block_count_, [&](std::uint32_t block) { find_neighbours(search, block, boxes_); });
+}
+
+void PairFinder::ask_neighbours(Parallel& parallel, const PairSearch& search) {
+    if (neighbour_count_ == 0) return;
+    if (search.only != nullptr) {
+        std::ranges::fill(boxes_.wanted_gradients.span(), std::uint8_t{0});
+        parallel.blocks(block_count_, [&](std::uint32_t block) { want_gradients(search, block, boxes_); });
+    }
+    parallel.blocks(block_count_, [&](std::uint32_t block) { place_gradients(search, block, boxes_); });
+    parallel.blocks(block_count_, [&](std::uint32_t block) { find_neighbours(search, block, boxes_); });
+}
+
+void PairFinder::want(Parallel& parallel, const PairSearch& search) {
+    std::ranges::fill(boxes_.wanted.span().first(block_count_ * PatchBlock::most), std::uint8_t{0});
     parallel.blocks(block_count_, [&](std::uint32_t block) {
         is_calm_[block] = want_features(search, block, boxes_) ? 0 : 1;
     });

@@ -57,16 +57,26 @@ class PairFinder {
               std::span<const Vec4> motions, PairList& found, float of_borders = 1,
               FullList full = FullList::has_the_first, Parts parts = Parts::any);
 
+    /// Marks of particles, bits: the list may lack pairs of it; the last search passed over neighbours for
+    /// another motion of it.
+    static constexpr std::uint8_t is_unlisted = 1, has_strayed = 2;
+
     /// Adds to the list what find() with Parts::alike would list of pairs of patches of which at least one
-    /// has a marked particle (marks[i] != 0), and of those that the last search passed over and this one does
-    /// not. Some of these may be in the list already, and then are so twice. A list that would overflow is
-    /// empty.
+    /// has a particle that is_unlisted, and of those that the last search passed over and this one does not,
+    /// of which at least one has a particle that has_strayed. Some of these may be in the list already, and
+    /// then are so twice. A list that would overflow is empty.
+    ///
+    /// Precondition: neighbours that the last search passed over still stay apart if no particle of theirs
+    /// has_strayed. With the reach R, motions m and the same positions that search found their features R
+    /// apart all the way. So a particle may end (R - reach) / 2 from m: no point goes farther from its way.
     void find_more(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
                    std::span<const Vec4> motions, std::span<const std::uint8_t> marks, PairList& list);
 
     /// Looks again at what the last search for pairs passed over, with the same positions and motions, once
-    /// each particle goes a part of its own: `cut` has what is left of the motions. Adds the pairs of
-    /// patches that may not stay apart then, as find() lists them. Returns whether there are such patches.
+    /// each particle goes a part of its own: `cut` has what is left of the motions. Only neighbours of which
+    /// a particle is cut are asked for: features of others still go the way that keeps them apart, whatever
+    /// the triangles between them do. Adds the pairs of patches that may not stay apart then, as find() lists
+    /// them. Returns whether there are such patches.
     bool find_opened(Parallel& parallel, std::span<const ContactBody> bodies, std::span<const Vec4> positions,
                      std::span<const Vec4> motions, std::span<const Vec4> cut, PairList& list);
 
@@ -104,9 +114,17 @@ class PairFinder {
     [[nodiscard]] PairSearch search_of(std::span<const Vec4> positions, const Vec4* motions,
                                        float of_borders) const;
     void search(Parallel& parallel, const PairSearch& search, PairList& found, FullList full);
-    [[nodiscard]] std::uint16_t marked_patches(std::span<const std::uint8_t> marks,
-                                               std::uint32_t block) const;
+    /// A search round particles i with marks_of(i), for all the same part of these motions.
+    [[nodiscard]] PairSearch search_of_marked(Parallel& parallel, std::span<const Vec4> positions,
+                                              const Vec4* motions, const auto& marks_of);
+    /// Places the boxes of patches.
     void place(Parallel& parallel, const PairSearch& search);
+    /// Finds which neighbours are calm, of those that the search asks for.
+    void ask_neighbours(Parallel& parallel, const PairSearch& search);
+    /// Finds which patches the search looks at, and places the boxes of their features.
+    void want(Parallel& parallel, const PairSearch& search);
+    /// Lists the pairs of a search, once patches are placed and neighbours asked for.
+    void list_pairs(Parallel& parallel, const PairSearch& search, PairList& found, FullList full);
     [[nodiscard]] FoundPairs room_of(std::uint32_t block);
     void find_block(const PairSearch& search, std::uint32_t block, FoundPairs& pairs) const;
     void count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity, FullList full);
@@ -127,7 +145,7 @@ class PairFinder {
     ScratchArray<Crossing> crossing_room_;
     ScratchArray<std::uint32_t> block_crossings_;
 
-    ScratchArray<std::uint16_t> only_;  // by block: see PairSearch::only
+    ScratchArray<std::uint16_t> only_, strayed_;  // by block: see PairSearch::only
 };
 
 }  // namespace weft

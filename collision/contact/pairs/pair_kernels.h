@@ -65,16 +65,11 @@ struct FeatureBoxes {
     ScratchArray<Boxes> patches, blocks, groups;
     ScratchArray<PatchStrain> strains;  ///< of patches, sixteen to each block
     ScratchArray<TriangleGradients> gradients;
+    /// By group of triangles: 1 where a search round marks asks for their gradients.
+    ScratchArray<std::uint8_t> wanted_gradients;
     ScratchArray<Neighbours> neighbours;  ///< by pair
     /// Of patches: 1 where the boxes of the features are filled, as others come near them.
     ScratchArray<std::uint8_t> wanted;
-};
-
-/// Which pairs of patches a search looks at.
-enum class Looks : std::uint8_t {
-    afresh,          ///< at all that are not calm
-    around_marks,    ///< at those of which one has its bit in `only`, and at opened ones
-    at_opened_ones,  ///< at opened ones alone
 };
 
 /// What a search reads. `motions` is null where nothing moves.
@@ -87,8 +82,10 @@ struct PairSearch {
     float of_borders = 1;  ///< share of the reach that pairs nearest at a border have
     /// Neighbours count as calm if they stay apart while all particles go the same part of their motions.
     bool together = false;
-    Looks looks = Looks::afresh;
-    const std::uint16_t* only = nullptr;  ///< by block: a bit for each patch
+    /// By block, a bit for each patch. Where these are null the search asks for all neighbours, and looks at
+    /// all pairs of patches that are not calm. Else it asks for calm neighbours again if one has its bit in
+    /// `strayed`, and looks at those that it opens and at other pairs of which one has its bit in `only`.
+    const std::uint16_t *only = nullptr, *strayed = nullptr;
 };
 
 /// Items found, as far as there is room. `count` goes on, until there are `enough` and the search ends.
@@ -117,11 +114,17 @@ struct FoundPairs {
     }
 };
 
-/// Fills the boxes and strains of a block's patches, wants none of their features, and returns its own box.
-/// Features that are not finite, now or after their motion, are in no box.
+/// Fills the boxes of a block's patches and the bounds of their motions, and returns its own box. Features
+/// that are not finite, now or after their motion, are in no box.
 Bounds place_patches(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
-/// Finds which neighbours are calm, of a block's patches and those after them.
+/// Wants the gradients around the neighbours that a search round marks asks for.
+void want_gradients(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// Fills the gradients of a block's patches, and their sums: all, or those that a search round marks wants.
+void place_gradients(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
+
+/// Finds which neighbours are calm, of those that are asked for, of a block's patches and those after them.
 void find_neighbours(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
 /// Wants the features of the patches that are to be looked at, of the block and of those after it; false if

@@ -68,6 +68,49 @@ TEST(NewCrossings, AreNoneWhereItIsCut) {
     EXPECT_FALSE(scene.space.crosses_anew(scene.parallel));
 }
 
+// Drawn out along one axis and in along the other the sheet would stay apart, if all of it went the same part
+// of that way, and so the search before passes over its neighbours. Parts of 0 and 1 fold it over.
+TEST(NewCrossings, AreNoneWhereASheetGoesPartsOfTheWayThatIsExpected) {
+    constexpr std::uint32_t side = 13;
+    constexpr float edge = 0.05f, h = 0.01f, strain = 0.25f;
+    std::vector<Vec4> start, ways, moved;
+    std::vector<ContactMesh::Triangle> triangles;
+    for (std::uint32_t i = 0; i < side; ++i)
+        for (std::uint32_t j = 0; j < side; ++j) {
+            const float u = static_cast<float>(i) - 6, v = static_cast<float>(j) - 6;
+            const float bump = std::sin(5 * u * u + 3 * v * v);
+            start.push_back({edge * u, 0.1f * edge * bump, edge * v, 1});
+            ways.push_back({strain * edge * u, 0, -strain * edge * v, 0});
+            if (i == 0 || j == 0) continue;
+            const std::uint32_t a = (i - 1) * side + j - 1, b = a + side;
+            triangles.push_back({a, a + 1, b});
+            triangles.push_back({b, a + 1, b + 1});
+        }
+    std::vector<Vec4> velocities, rest = start;
+    for (Vec4& x : rest) x.y = 0;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        velocities.push_back({ways[i].x / h, 0, ways[i].z / h, 0});
+        const float u = start[i].x / edge, v = start[i].z / edge;
+        const bool goes = std::sin(7 * u * u + 11 * v * v) > 0;  // alike on all sides: so nothing turns
+        moved.push_back(
+            {start[i].x + (goes ? ways[i].x : 0), start[i].y, start[i].z + (goes ? ways[i].z : 0), 1});
+    }
+    const ContactMesh mesh(rest, triangles);
+    const std::vector<ContactCloth> body{{.mesh = &mesh, .radius = 0.4f * edge, .floor = 0.01f * edge}};
+    LaidOut<FeatureContact> space{std::span<const ContactCloth>(body), no_zones};
+    Parallel parallel{1};
+    bool is_crowd = false;
+    space.place(parallel, 0, start, {.velocities = velocities, .h = h});
+    space.detect(parallel, is_crowd);
+    space.arrive(parallel, 0, moved);
+    EXPECT_TRUE(space.crosses_anew(parallel));
+    space.arrive(parallel, 0, moved);
+    const FeatureCounts counts = settle(space, parallel);
+    EXPECT_GT(counts.truncated, 0u);
+    EXPECT_FALSE(counts.overflowed);
+    EXPECT_FALSE(space.crosses_anew(parallel));
+}
+
 TEST(NewCrossings, AreNotWhatCrossedAtTheStart) {
     TwoTriangles scene;
     for (Vec4& x : scene.high) x.y -= TwoTriangles::apart;
