@@ -80,13 +80,13 @@ struct WholeTriangles::Meeting {
     float h, mean_edge;
     Slipping slipping;
 
-    /// Of a triangle that begins so, the mean of its two shorter sides: a cell's, not its diagonal. Beside
-    /// rods that stand no more than at rest: what two limbs squeeze is drawn out, and rests only where
+    /// Of a triangle that begins so, by its sides' root mean square: half of a square has the square's side.
+    /// Beside rods that stand no more than at rest: what two limbs squeeze is drawn out, and rests only where
     /// particles alone hold it.
     [[nodiscard]] float side(const CornerPaths& corners) const {
         const auto& [a, b, c] = corners.from;
-        const float ab = (b - a).norm(), bc = (c - b).norm(), ca = (a - c).norm();
-        const float side = 0.5f * (ab + bc + ca - std::max({ab, bc, ca}));
+        const float squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+        const float side = 0.5f * std::sqrt(squares);
         return slipping.moves || slipping.is_ball ? side : std::min(side, mean_edge);
     }
     [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }

@@ -141,9 +141,9 @@ class Passes {
 // its linearisation only; where much is left, it is made true once more, without a cycle.
 //
 // BDF2 goes on with a third of what a step changed, and so with a third of what its solve left: limp cloth
-// that crumples in a vacuum gained energy without end, unless solved by six times the passes. Where much is
-// left, and more than a quarter of the energy of motion, the next step goes on with none of it. In flags of
-// the default fabric it is less, in any wind; cloth at rest has little left.
+// that crumples in a vacuum gained energy without end, unless solved by six times the passes. Where more than
+// a quarter of the energy of motion is left, the next step goes on with none of it. In flags of the default
+// fabric it is less, in any wind.
 SolveResult Passes::operator()() {
     constexpr int most_more = 2;
     constexpr double much = 0.02;   // of the tolerated energy: 5 to 6 m/s^2 by default
@@ -163,12 +163,8 @@ SolveResult Passes::operator()() {
     }
     keep_momentum();
     let_bodies_follow();
-    const auto is_rough = [&] {
-        const VelocitySums ends =
-            sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
-        return left_ > rough * ends.energy;
-    };
-    return {.unsolved = left_ > tolerated, .is_rough = much_is_left() && is_rough()};
+    const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
+    return {.unsolved = left_ > tolerated, .is_rough = left_ > rough * ends.energy};
 }
 
 template <class Work>
