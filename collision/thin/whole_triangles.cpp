@@ -80,14 +80,16 @@ struct WholeTriangles::Meeting {
     float h, mean_edge;
     Slipping slipping;
 
-    /// Of a triangle that begins so, by its sides' root mean square: half of a square has the square's side.
-    /// Beside rods that stand no more than at rest: what two limbs squeeze is drawn out, and rests only where
-    /// particles alone hold it.
+    /// Of cells where a triangle begins so: the cloth's mean edge, or, where the triangle is drawn out to
+    /// more than half as much again (by its sides' root mean square; half of a square has the square's side),
+    /// so much more. Beside rods that stand no more than the mean: what two limbs squeeze is drawn out, and
+    /// rests only where particles alone hold it.
     [[nodiscard]] float side(const CornerPaths& corners) const {
+        if (!slipping.moves && !slipping.is_ball) return mean_edge;
+        constexpr float part = 2.0f / 3;
         const auto& [a, b, c] = corners.from;
         const float squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-        const float side = 0.5f * std::sqrt(squares);
-        return slipping.moves || slipping.is_ball ? side : std::min(side, mean_edge);
+        return std::max(mean_edge, part * 0.5f * std::sqrt(squares));
     }
     [[nodiscard]] float thickness() const { return thickness_of(motion, cloth); }
     [[nodiscard]] float longest_gap() const {
@@ -203,7 +205,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         has_paths = true;
         if (!meeting_with(motion, h, thickness, all)) continue;
         if (longest == 0) longest = longest_edge(parallel, particles.starts);
-        if (slips->beside(longest) == Thinness::thick) continue;
+        if (slips->beside(std::max(longest, mean_edge_)) == Thinness::thick) continue;
         const Cores cores(motion, h, slips->edges_part);
         if (cores.empty()) continue;
         const Meeting meeting{cores, motion, cloth, particles, h, mean_edge_, *slips};
@@ -280,7 +282,8 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
     const float gap = meeting.longest_gap();
     const auto may = meeting_with(meeting.motion, meeting.h, meeting.thickness(), paths);
-    if (!may || meeting.slipping.beside(longest_[range.block]) == Thinness::thick) return;
+    if (!may || meeting.slipping.beside(std::max(longest_[range.block], mean_edge_)) == Thinness::thick)
+        return;
     constexpr float never = std::numeric_limits<float>::infinity();
     const float if_fast = may->thin == 0 ? never : may->thin;
     const Vector3 margin = Vector3::Constant(gap);
