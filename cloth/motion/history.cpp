@@ -73,6 +73,24 @@ void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange
     }
 }
 
+/// The mean, by mass, of the velocity changes of particles that are free.
+class MeanChange {
+  public:
+    explicit MeanChange(const ClothState& state) : state_(state) {}
+    void add(std::uint32_t particle) {
+        const double m = 1 / static_cast<double>(state_.positions[particle].w);
+        sum_ += m * xyz(state_.record.velocity_changes[particle]).cast<double>();
+        mass_ += m;
+    }
+    [[nodiscard]] double mass() const { return mass_; }  ///< [kg]
+    [[nodiscard]] Vector3 value() const { return (sum_ / mass_).cast<float>(); }
+
+  private:
+    const ClothState& state_;
+    Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+    double mass_ = 0;
+};
+
 /// A longer step after a shorter one is extrapolated from it by this ratio at most. Growth by 1 + sqrt(2) a
 /// step, for ever, is where variable-step BDF2 stops being zero-stable (Grigorieff 1983).
 constexpr double greatest_ratio = 2;
@@ -102,15 +120,10 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
             if (squared > 0) visit(at.particle - first, at.impulse / std::sqrt(squared));
         });
     };
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double mass = 0;
-    for_each_pushed([&](std::uint32_t i, const Vector3& /*n*/) {
-        const double m = 1 / static_cast<double>(state.positions[i].w);
-        sum += m * xyz(state.record.velocity_changes[i]).cast<double>();
-        mass += m;
-    });
-    if (!(mass > 0)) return;
-    const Vector3 common = (sum / mass).cast<float>();
+    MeanChange mean(state);
+    for_each_pushed([&](std::uint32_t i, const Vector3& /*n*/) { mean.add(i); });
+    if (!(mean.mass() > 0)) return;
+    const Vector3 common = mean.value();
     Eigen::Vector3d forgotten = Eigen::Vector3d::Zero();
     for_each_pushed([&](std::uint32_t i, const Vector3& n) {
         Vec4& change = state.record.velocity_changes[i];
@@ -119,7 +132,7 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
         forgotten += own.cast<double>() / static_cast<double>(state.positions[i].w);
     });
     // What they have together is as before.
-    const Vector3 kept = (forgotten / mass).cast<float>();
+    const Vector3 kept = (forgotten / mean.mass()).cast<float>();
     for_each_pushed([&](std::uint32_t i, const Vector3& /*n*/) {
         Vec4& change = state.record.velocity_changes[i];
         change = to_vec4(xyz(change) + kept, 0);
@@ -128,16 +141,10 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
 
 void forget_own_changes(ClothState& state) {
     if (state.record.velocity_changes.size() == 0) return;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double mass = 0;
-    for (std::uint32_t i = 0; i < state.size(); ++i) {
-        if (state.positions[i].w == 0) continue;
-        const double m = 1 / static_cast<double>(state.positions[i].w);
-        sum += m * xyz(state.record.velocity_changes[i]).cast<double>();
-        mass += m;
-    }
-    if (!(mass > 0)) return;
-    std::ranges::fill(state.record.velocity_changes.span(), to_vec4((sum / mass).cast<float>(), 0));
+    MeanChange mean(state);
+    for (std::uint32_t i = 0; i < state.size(); ++i)
+        if (state.positions[i].w > 0) mean.add(i);
+    if (mean.mass() > 0) std::ranges::fill(state.record.velocity_changes.span(), to_vec4(mean.value(), 0));
 }
 
 void History::begin(Parallel& parallel, const ClothState& state, float divisor) {

@@ -24,7 +24,8 @@ bool has_particle(const StepEquation& equation, std::uint32_t particle) {
            particle - equation.first < equation.positions.size();
 }
 
-/// Cloths of an equation that are labelled with the same number, and the bodies that they gave something to.
+/// A FreeTogether is some cloths of an equation, which Cloth::free_with numbers alike, and the bodies that
+/// they gave something to.
 class FreeTogether {
   public:
     FreeTogether(std::span<Cloth* const> cloths, std::span<const StepEquation> equations,
@@ -37,7 +38,7 @@ class FreeTogether {
             any = false;
             for (std::size_t k = 0; k < cloths_.size(); ++k)
                 if (cloths_[k]->free_with != number_ &&
-                    (shares_body(*cloths_[k]) || touches(equations_[k]))) {
+                    (shares_body(*cloths_[k]) || touches_them(equations_[k]))) {
                     cloths_[k]->free_with = number_;
                     any = true;
                 }
@@ -85,36 +86,33 @@ class FreeTogether {
                 });
         return shares;
     }
-    [[nodiscard]] bool touches(const StepEquation& equation) const {
+    /// Whether features of the equation's cloth touch a particle that is_other.
+    template <class IsOther>
+    [[nodiscard]] static bool touches(const StepEquation& equation, const IsOther& is_other) {
         if (equation.pairs == nullptr) return false;
         bool touches = false;
         equation.pairs->for_each_active([&](const PairRows::ActivePair& active) {
-            bool its = false, theirs = false;
-            for (const std::uint32_t particle : active.pair.corners) {
-                its = its || has_particle(equation, particle);
-                for_each_cloth([&](const Cloth&, const StepEquation& other) {
-                    theirs = theirs || has_particle(other, particle);
-                });
-            }
-            touches = touches || (its && theirs);
+            const auto is_own = [&](std::uint32_t particle) { return has_particle(equation, particle); };
+            touches = touches || (std::ranges::any_of(active.pair.corners, is_own) &&
+                                  std::ranges::any_of(active.pair.corners, is_other));
         });
         return touches;
     }
-    /// Features of cloth that another equation has.
-    [[nodiscard]] bool touches_what_is_elsewhere(const StepEquation& equation) const {
-        if (equation.pairs == nullptr) return false;
-        bool touches = false;
-        equation.pairs->for_each_active([&](const PairRows::ActivePair& active) {
-            bool its = false, elsewhere = false;
-            for (const std::uint32_t particle : active.pair.corners) {
-                its = its || has_particle(equation, particle);
-                elsewhere = elsewhere || std::ranges::none_of(equations_, [&](const StepEquation& one) {
-                                return has_particle(one, particle);
-                            });
-            }
-            touches = touches || (its && elsewhere);
+    [[nodiscard]] bool touches_them(const StepEquation& equation) const {
+        return touches(equation, [&](std::uint32_t particle) {
+            bool is_theirs = false;
+            for_each_cloth([&](const Cloth&, const StepEquation& their) {
+                is_theirs = is_theirs || has_particle(their, particle);
+            });
+            return is_theirs;
         });
-        return touches;
+    }
+    /// Cloth that is solved in another equation holds this one.
+    [[nodiscard]] bool touches_what_is_elsewhere(const StepEquation& equation) const {
+        return touches(equation, [&](std::uint32_t particle) {
+            return std::ranges::none_of(equations_,
+                                        [&](const StepEquation& one) { return has_particle(one, particle); });
+        });
     }
     [[nodiscard]] static bool is_held(const Cloth& cloth) {
         if (!cloth.contacts || !cloth.contacts->stops().empty() || !cloth.state.pins.empty() ||
@@ -131,7 +129,7 @@ class FreeTogether {
     std::size_t number_;
 };
 
-/// When the part ends, at what velocities are now.
+/// The motion of some particles and bodies at the end of the part, by the velocities that they have now.
 struct Motion {
     double mass = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
@@ -192,7 +190,7 @@ Vector6 as_one(const Motion& all, const Vector6& gained) {
     return change;
 }
 
-/// What the cloths should have when the part ends.
+/// The momentum and angular momentum that the cloths should have when the part ends.
 Vector6 owed(const FreeTogether& free, std::span<const MovingBody> bodies) {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear, echo = linear, outside = linear,
                     torque = linear, centre = linear;
@@ -278,9 +276,14 @@ void keep_momentum(const FreeTogether& free, std::span<const MovingBody> bodies)
 void keep_momentum_with_bodies(std::span<Cloth* const> cloths, std::span<const StepEquation> equations,
                                std::span<MovingBody> bodies) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    const auto gave_any = [&](const Cloth& cloth) {
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+            if (takes_part(cloth, b)) return true;
+        return false;
+    };
     for (Cloth* cloth : cloths) cloth->free_with = none;
     for (std::size_t k = 0; k < cloths.size(); ++k) {
-        if (cloths[k]->free_with != none) continue;
+        if (cloths[k]->free_with != none || !gave_any(*cloths[k])) continue;
         FreeTogether free(cloths, equations, bodies, k);
         cloths[k]->free_with = k;
         free.grow();

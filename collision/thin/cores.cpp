@@ -30,7 +30,7 @@ Matrix3 frame_along(const Vector3& axis) {
     return frame;
 }
 
-/// Half of the least and the middle side: what is left is as long as it is wide or longer.
+/// The rod inside a box runs along its longest side, and is as thick as its shortest.
 InnerRod rod_of(const Vector3& half) {
     int longest = 0;
     half.maxCoeff(&longest);

@@ -80,10 +80,10 @@ struct WholeTriangles::Meeting {
     float h, mean_edge;
     Slipping slipping;
 
-    /// Of cells where a triangle begins so: the cloth's mean edge, or, where the triangle is drawn out to
-    /// more than half as much again (by its sides' root mean square; half of a square has the square's side),
-    /// so much more. Beside rods that stand no more than the mean: what two limbs squeeze is drawn out, and
-    /// rests only where particles alone hold it.
+    /// The side of cells where a triangle begins so is the cloth's mean edge, or two thirds of the triangle's
+    /// own where that is more: its sides' root mean square, by which half of a square has the square's side.
+    /// Beside rods that stand it is the mean: what two limbs squeeze is drawn out, and rests only where
+    /// particles alone hold it.
     [[nodiscard]] float side(const CornerPaths& corners) const {
         if (!slipping.moves && !slipping.is_ball) return mean_edge;
         constexpr float part = 2.0f / 3;

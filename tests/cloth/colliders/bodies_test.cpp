@@ -94,7 +94,8 @@ TEST(Bodies, AThrownBallAndAFreeSheetKeepTheirMomentumTogether) {
         }
 }
 
-// What each of them alone would have kept goes to all of them.
+// The momentum that the solve loses is given back to the ball and both sheets as one, since each touches
+// another.
 TEST(Bodies, ABallThrownIntoTwoFreeSheetsKeepsTheirMomentum) {
     for (const bool with_contact : {false, true})
         for (const float mass : {0.02f, 0.2f, 2.0f}) {

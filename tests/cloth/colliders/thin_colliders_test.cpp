@@ -185,7 +185,7 @@ struct Prism {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
-    /// Of this many sides.
+    /// A prism about x with this many sides.
     explicit Prism(float radius, std::uint32_t sides = 8) {
         for (std::uint32_t k = 0; k < sides; ++k) {
             const float angle = 2 * 3.14159265f * static_cast<float>(k) / static_cast<float>(sides);
