@@ -296,9 +296,12 @@ void place_strains(const PairSearch& search, std::uint32_t block, FeatureBoxes& 
         [&](std::uint32_t k, const ContactPatch& patch, const SearchedBody& body, const Moving& moving)
             HWY_ATTR {
                 if (body.mesh->flat_rest().is_empty()) return;
-                const std::span<const std::uint8_t> wanted = boxes.wanted_gradients.span().subspan(
-                    body.first_gradients + patch.triangles.first / 16, (patch.triangles.count + 15) / 16);
-                if (search.only == nullptr || std::ranges::find(wanted, 1) != wanted.end())
+                const auto is_wanted = [&] {
+                    const std::span<const std::uint8_t> wanted = boxes.wanted_gradients.span().subspan(
+                        body.first_gradients + patch.triangles.first / 16, (patch.triangles.count + 15) / 16);
+                    return std::ranges::find(wanted, 1) != wanted.end();
+                };
+                if (search.only == nullptr || is_wanted())
                     boxes.strains[block * PatchBlock::most + k].sum = place_gradients(
                         moving, *body.mesh, patch.triangles, &boxes.gradients[body.first_gradients]);
             });
