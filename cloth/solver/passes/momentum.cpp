@@ -22,41 +22,92 @@ bool is_held(const StepEquation& equation, std::uint32_t i) {
     return equation.positions[i].w == 0 || (equation.contacts != nullptr && equation.contacts->is_held(i));
 }
 
-}  // namespace
-
-void PieceSums::add(double r, const Eigen::Vector3d& d, const Eigen::Vector3d& q) {
-    mass += r;
-    first += r * d;
-    second += r * d * d.transpose();
-    missing += r * q;
-    torque += d.cross(r * q);
+PieceSums::Motion& operator+=(PieceSums::Motion& l, const PieceSums::Motion& r) {
+    l.first += r.first;
+    l.momentum += r.momentum;
+    l.spread += r.spread;
+    return l;
 }
 
+PieceSums::Motion motion_of(double m, const Eigen::Vector3d& d, const Eigen::Vector3d& v) {
+    return {m * d, m * v, m * d * v.transpose()};
+}
+
+/// Sum m d v^T about the centre of mass.
+Eigen::Matrix3d about_centre(const PieceSums::Motion& of, double mass) {
+    return of.spread - of.first * of.momentum.transpose() / mass;
+}
+
+/// Sum m d x v, of sum m d v^T.
+Eigen::Vector3d angular_momentum(const Eigen::Matrix3d& spread) {
+    return {spread(1, 2) - spread(2, 1), spread(2, 0) - spread(0, 2), spread(0, 1) - spread(1, 0)};
+}
+
+/// A free particle's part in the sums of its piece.
+PieceSums sums_of(const StepEquation& equation, std::span<const Vec4> velocities, const Vector3& origin,
+                  std::uint32_t i) {
+    const ExternalRow row = external_row(equation, i);
+    const auto in_doubles = [](const Vector3& v) { return v.cast<double>(); };
+    const double m = 1 / static_cast<double>(equation.positions[i].w), r = static_cast<double>(row.row_sum);
+    const Eigen::Vector3d d = place(equation, velocities, origin, i), v = in_doubles(xyz(velocities[i])),
+                          q = in_doubles(row.free_velocity) - v,
+                          force = (r * q - m * (in_doubles(xyz(equation.base_velocities[i])) - v)) /
+                                  static_cast<double>(equation.gamma),
+                          impulse = static_cast<double>(equation.h) * force;
+    return {.row_sum = r,
+            .first = r * d,
+            .second = r * d * d.transpose(),
+            .missing = r * q,
+            .mass = m,
+            .start = motion_of(m, in_doubles(xyz(equation.positions[i]) - origin),
+                               in_doubles(xyz(equation.velocities[i]))),
+            .end = motion_of(m, d, v),
+            .impulse = impulse,
+            .turning = d.cross(impulse)};
+}
+
+}  // namespace
+
 void PieceSums::add(const PieceSums& more) {
-    mass += more.mass;
+    row_sum += more.row_sum;
     first += more.first;
     second += more.second;
     missing += more.missing;
-    torque += more.torque;
+    mass += more.mass;
+    start += more.start;
+    end += more.end;
+    impulse += more.impulse;
+    turning += more.turning;
 }
 
-// About the centre of mass, where translation and rotation part. What has no extent across an axis cannot be
-// turned about it.
-RigidChange::RigidChange(const PieceSums& sums) {
-    if (!(sums.mass > 0)) return;
+// The piece ends with the angular momentum that it has at the start, about the centre of mass, and what
+// external forces add. (The bases of BDF2 would go on with less: they turn by themselves in a step.) A spin s
+// changes it by J s + gamma sum m (s x d) x v, since places change too: linear in s, of which all is exact. J
+// is the inertia. An axis across which the piece has no extent has no spin. No direction counts as easier to
+// turn than by half its inertia: places that turn by a radian a step are beyond what a step resolves.
+RigidChange::RigidChange(const PieceSums& sums, float gamma) {
+    if (!(sums.row_sum > 0)) return;
     constexpr double thin = 1e-9;  // of the largest moment
-    const Eigen::Vector3d centre = sums.first / sums.mass;
-    const Eigen::Matrix3d spread = sums.second - sums.mass * centre * centre.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> moments(
-        spread.trace() * Eigen::Matrix3d::Identity() - spread);
-    const Eigen::Vector3d turned =
-        moments.eigenvectors().transpose() * (sums.torque - centre.cross(sums.missing));
-    Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 3; ++k)
-        if (moments.eigenvalues()[k] > thin * moments.eigenvalues()[2])
-            rate[k] = turned[k] / moments.eigenvalues()[k];
-    spin = moments.eigenvectors() * rate;
-    velocity = sums.missing / sums.mass - spin.cross(centre);
+    const Eigen::Vector3d centre = sums.first / sums.row_sum;
+    const Eigen::Matrix3d second = sums.second - sums.row_sum * centre * centre.transpose(),
+                          start = about_centre(sums.start, sums.mass),
+                          end = about_centre(sums.end, sums.mass);
+    const Eigen::Vector3d lacks =
+        angular_momentum(start - end) + sums.turning - sums.end.first.cross(sums.impulse) / sums.mass;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(
+        second.trace() * Eigen::Matrix3d::Identity() - second);
+    const Eigen::Vector3d& moments = inertia.eigenvalues();
+    const Eigen::Vector3d roots =
+        (moments.array() > thin * moments[2]).select(moments.cwiseSqrt().cwiseInverse(), 0);
+    const Eigen::Matrix3d to_axes = inertia.eigenvectors() * roots.asDiagonal();
+    const Eigen::Matrix3d by_places = end - end.trace() * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d response =
+        Eigen::Matrix3d::Identity() + static_cast<double>(gamma) * to_axes.transpose() * by_places * to_axes;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squared(response.transpose() * response);
+    const Eigen::Vector3d ease = squared.eigenvalues().cwiseMax(0.25).cwiseInverse();
+    spin = to_axes * squared.eigenvectors() * ease.asDiagonal() * squared.eigenvectors().transpose() *
+           response.transpose() * to_axes.transpose() * lacks;
+    velocity = sums.missing / sums.row_sum - spin.cross(centre);
 }
 
 void FreePieces::reserve_pairs(std::size_t count) {
@@ -96,11 +147,7 @@ void FreePieces::weigh(const StepEquation& equation, std::span<const Vec4> veloc
         const std::span<const std::uint32_t> particles = particles_of(c);
         piece.is_held = std::ranges::any_of(particles, [&](std::uint32_t i) { return is_held(equation, i); });
         if (piece.is_held) continue;
-        for (const std::uint32_t i : particles) {
-            const ExternalRow row = external_row(equation, i);
-            piece.sums.add(static_cast<double>(row.row_sum), place(equation, velocities, origin, i),
-                           (row.free_velocity - xyz(velocities[i])).cast<double>());
-        }
+        for (const std::uint32_t i : particles) piece.sums.add(sums_of(equation, velocities, origin, i));
     }
 }
 
@@ -119,7 +166,7 @@ void FreePieces::move(const StepEquation& equation, const RigidChange& of_touchi
     for (std::size_t c = 0; c < pieces_.size(); ++c) {
         const Piece& piece = pieces_[c];
         if (piece.is_held) continue;
-        const RigidChange change = piece.touches ? of_touching : RigidChange(piece.sums);
+        const RigidChange change = piece.touches ? of_touching : RigidChange(piece.sums, equation.gamma);
         if (change.velocity.isZero(0) && change.spin.isZero(0)) continue;
         for (const std::uint32_t i : particles_of(c)) {
             const Eigen::Vector3d more =

@@ -10,30 +10,42 @@
 
 namespace weft {
 
-/// Sums over particles of a piece, about a point that all pieces share. r is a particle's row sum, d its
-/// place at the end of the step, q how much its velocity lacks against external forces alone.
+/// Sums over the particles of a piece. All pieces share the point that places are told from. m is a
+/// particle's mass, v its velocity and d its place at the end of the step, r its row sum, and q the change of
+/// v that would satisfy external forces alone.
 struct PieceSums {
-    double mass = 0;                                    ///< sum r [kg]
-    Eigen::Vector3d first = Eigen::Vector3d::Zero();    ///< sum r d [kg m]
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();   ///< sum r d d^T [kg m^2]
-    Eigen::Vector3d missing = Eigen::Vector3d::Zero();  ///< momentum: sum r q [kg m/s]
-    Eigen::Vector3d torque = Eigen::Vector3d::Zero();   ///< angular momentum: sum d x r q [kg m^2/s]
+    using Vector = Eigen::Vector3d;
+    using Matrix = Eigen::Matrix3d;
+    /// Motion at the start or at the end of the step.
+    struct Motion {
+        Vector first = Vector::Zero();     ///< sum m d [kg m]
+        Vector momentum = Vector::Zero();  ///< sum m v [kg m/s]
+        Matrix spread = Matrix::Zero();    ///< sum m d v^T [kg m^2/s]
+    };
 
-    void add(double r, const Eigen::Vector3d& d, const Eigen::Vector3d& q);
+    double row_sum = 0;               ///< sum r [kg]
+    Vector first = Vector::Zero();    ///< sum r d [kg m]
+    Matrix second = Matrix::Zero();   ///< sum r d d^T [kg m^2]
+    Vector missing = Vector::Zero();  ///< momentum: sum r q [kg m/s]
+    double mass = 0;                  ///< sum m [kg]
+    Motion start, end;
+    Vector impulse = Vector::Zero();  ///< impulse of external forces [N s]
+    Vector turning = Vector::Zero();  ///< sum d x that impulse [N m s]
+
     void add(const PieceSums& more);
 };
 
-/// The rigid motion that gives a piece what it lacks: q = velocity + spin x d.
+/// The rigid motion that gives a piece what it lacks: each velocity changes by velocity + spin x d, each
+/// place by gamma times as much.
 struct RigidChange {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), spin = Eigen::Vector3d::Zero();
 
     RigidChange() = default;
-    explicit RigidChange(const PieceSums& sums);
+    RigidChange(const PieceSums& sums, float gamma);
 };
 
-/// Components of one cloth. Internal forces and contact between features add up to nothing, in momentum and
-/// in angular momentum (a particle's torque is taken where it ends the step), so what external forces do to a
-/// component is known before anything is solved.
+/// Components of one cloth. Internal forces and contact between features add up to nothing, so external
+/// forces alone decide the momentum of a component at the end of a step, and its angular momentum.
 class FreePieces {
   public:
     explicit FreePieces(const ClothModel& model);

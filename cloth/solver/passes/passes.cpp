@@ -420,7 +420,7 @@ void Passes::keep_momentum() {
         is_held |= member.pieces.add_touching(touching);
     }
     is_held = is_held || (pairs_ != nullptr && touches_what_is_held());
-    const RigidChange of_touching = is_held ? RigidChange() : RigidChange(touching);
+    const RigidChange of_touching = is_held ? RigidChange() : RigidChange(touching, first_.equation.gamma);
     for (const PassMember& member : members_)
         member.pieces.move(member.step.equation, of_touching, origin, member.step.velocities);
 }
