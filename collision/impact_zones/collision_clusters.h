@@ -88,7 +88,7 @@ class CollisionClusters {
     std::vector<std::uint32_t> of_;  // by particle
     std::vector<std::uint32_t> marked_, members_;
     std::vector<CollisionCluster> clusters_;
-    std::vector<std::uint8_t> is_split_;  // by cluster: it collides with itself
+    std::vector<std::uint8_t> is_split_;  // by cluster: whether it collides with itself
 };
 
 /// Calls visit(particle), numbered through all bodies, for those that an edge joins to this one; some twice.

@@ -32,8 +32,8 @@ struct ZoneSettings {
 };
 
 struct ZoneCounts {
-    std::uint32_t zones = 0;       ///< of clusters that approach each other
-    std::uint32_t clusters = 0;    ///< before any were merged
+    std::uint32_t zones = 0;       ///< zones of clusters that approach each other
+    std::uint32_t clusters = 0;    ///< clusters before any were merged
     std::uint32_t merged = 0;      ///< clusters merged into others
     std::uint32_t collisions = 0;  ///< pairs of clusters that collide
     std::uint32_t programs = 0;    ///< zones solved by linear programming

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// Minimises cost . x with A x >= b and x >= 0. No allocation but in the constructor.
+/// Minimises cost . x with A x >= b and x >= 0. Only the constructor allocates.
 class LinearProgram {
   public:
     /// Allocates the table for up to `most` unknowns, and as many inequalities.

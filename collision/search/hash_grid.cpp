@@ -71,8 +71,8 @@ void HashGrid::build_cubes(Parallel& parallel, std::span<const Vec4> positions, 
 
 // The table is cut into 2^part_bits parts of equally many buckets. Each block puts its particles in order of
 // part, keeping their order; then each part sorts its own entries, which it reads block by block. A part's
-// buckets, and so its slots, are its own: no two write the same memory, and the number of parts does not show
-// in the result.
+// buckets, and so its slots, are its own: no two write the same memory, and the number of parts does not
+// affect the result.
 void HashGrid::sort(Parallel& parallel, std::span<const Vec4> positions, CellShape shape) {
     // As many parts as threads: hashing makes them equal, and each reads every block's index.
     const std::uint32_t wanted =

@@ -55,7 +55,7 @@ Bounds place_block(std::span<const Vec4> positions, const std::uint32_t* particl
 Bounds hull(const Boxes& boxes);
 
 /// Finds the hits of all particles of a block. Returns the patches that were left out, one bit each: those
-/// with a particle that has more than BlockHits::per_slot, or with too many candidates to look at here.
+/// with a particle that has more than BlockHits::per_slot, or with too many candidates for this search.
 std::uint32_t find_hits_in_patches(const PatchesView& patches, float distance, std::uint32_t block,
                                    BlockHits& hits);
 

@@ -14,7 +14,7 @@ namespace weft {
 
 /// The pairs of a block that are closer than the distance, in the order of their first particles' slots.
 struct BlockHits {
-    /// A slot is left over, for a search one by one, if it has more than per_slot hits or has to look through
+    /// A slot is left over, for a scalar search, if it has more than per_slot hits or has to look through
     /// a range of more than longest_range slots.
     static constexpr std::uint32_t per_slot = 16, longest_range = 64;
     static_assert(longest_range <= HashGrid::padding, "all ranges of a slot are read as far as its longest");

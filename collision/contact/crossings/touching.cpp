@@ -11,7 +11,7 @@ namespace weft {
 
 namespace {
 
-// A gap of less than this part of the largest coordinate is rounding.
+// A gap of less than this fraction of the largest coordinate is rounding.
 constexpr float rounding_per_coordinate = 1e-7f;
 
 // A surface stands on another if it rises from the other's plane by this fraction of its edges' length.
@@ -97,7 +97,7 @@ class TouchingPairs {
 
     std::span<const ContactBody> bodies_;
     std::span<const Vec4> positions_;
-    float largest_ = 0;  // coordinate [m]
+    float largest_ = 0;  // largest coordinate [m]
 };
 
 /// Sums the directions in which pairs move each particle. Returns whether any pair touches.

@@ -249,7 +249,7 @@ Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes&
                        strain.least_motion = {m.lower.x, m.lower.y, m.lower.z};
                        strain.most_motion = {m.upper.x, m.upper.y, m.upper.z};
                    });
-    // Another search's block may have had more patches.
+    // Clears the boxes behind the last: another search's block may have had more patches.
     for (std::uint32_t k = search.blocks[block].patch_count; k < PatchBlock::most; ++k)
         set_box(boxes.patches[block], k, no_box);
     return hull_of(boxes.patches[block]);

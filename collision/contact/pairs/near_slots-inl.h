@@ -1,4 +1,4 @@
-// The features of a patch that are near another patch, side by side. Included as engine/simd/lanes-inl.h is.
+// The features of a patch that are near another patch, in arrays. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H
@@ -52,8 +52,8 @@ HWY_INLINE BoxLanes grown(const BoxLanes& box, Lanes half_reach) {
             {more(box.upper.x), more(box.upper.y), more(box.upper.z)}};
 }
 
-/// The box of features over their motion, as place_features() has it; `corners`: lists of particles, one for
-/// each of a feature's corners.
+/// The box of features over their motion, as place_features() computes it; `corners`: lists of particles, one
+/// for each of a feature's corners.
 template <class Corners>
 HWY_INLINE BoxLanes placed_box(const PairSearch& search, const Corners& corners, std::uint32_t begin,
                                std::uint32_t end, std::uint32_t first, float half_reach) {

@@ -18,7 +18,7 @@ namespace weft {
 struct ContactBody {
     const ContactMesh* mesh;
     std::uint32_t first;       ///< its first particle among all bodies'
-    float reach;               ///< [m]; a pair of two bodies has the mean of theirs
+    float reach;               ///< search radius [m]; a pair of two bodies has the mean of theirs
     std::uint32_t layer = 1;   ///< bits: the layers that it is in
     std::uint32_t mask = ~0u;  ///< bits: the layers that it meets; two bodies meet if both masks allow it
     bool meets_itself = true;
@@ -86,7 +86,7 @@ class PairFinder {
     /// Lists every edge and triangle that share no vertex, of bodies that may meet, and that cross: the
     /// edge's ends are strictly on different sides of the triangle's plane, and the line through them meets
     /// the triangle. Exact: no rounding adds or hides a crossing. An edge that ends on the triangle or lies
-    /// in its plane touches it and crosses nothing. Otherwise as find().
+    /// in its plane touches it and crosses nothing. All else is as in find().
     void find_crossings(Parallel& parallel, std::span<const ContactBody> bodies,
                         std::span<const Vec4> positions, CrossingList& found);
 

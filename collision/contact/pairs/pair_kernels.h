@@ -24,7 +24,7 @@ constexpr bool masks_allow(std::uint32_t layers_a, std::uint32_t mask_a, std::ui
 struct SearchedBody {
     const ContactMesh* mesh;
     std::uint32_t first;  ///< its first particle among all bodies'
-    float reach;          ///< [m]
+    float reach;          ///< search radius [m]
     std::uint32_t layer, mask;
     bool meets_itself;
     /// First groups of boxes of its vertices, triangles and edges.
