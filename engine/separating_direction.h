@@ -1,5 +1,5 @@
 #pragma once
-// A direction for two particles that are at the same point, and so have none.
+// A direction in which to separate two particles at the same point.
 
 #include <cmath>
 #include <cstdint>
