@@ -174,7 +174,7 @@ class Emerging {
     float h_;
     CollidingBlock& block_;
     std::array<std::uint32_t, block_size> waiting_, particles_;
-    std::uint32_t size_ = 0;  // of `particles_`
+    std::uint32_t size_ = 0;  // number of `particles_` in use
 };
 
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,

@@ -46,7 +46,7 @@ struct CollidingBlock {
     std::span<Vec4> positions, velocities;
     std::span<const Vec4> held, starts;  ///< see CollidingParticles
     BlockPaths paths;                    ///< paths of all finite particles, kept current as they are moved
-    const ClothSide& cloth;              ///< of these particles
+    const ClothSide& cloth;              ///< properties of these particles
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
     std::uint32_t collider = 0;                               ///< index of the collider in work
     bool has_left = false;       ///< whether any is left inside; else `left` is not written
@@ -74,7 +74,7 @@ enum class Told : std::uint8_t { friction, restitution };
 /// A search for surfaces near a block of `size` particles. `starts` may be empty.
 struct NearestSought {
     ContactSettings settings;
-    const ClothSide& cloth;  ///< of these particles
+    const ClothSide& cloth;  ///< properties of these particles
     float reach;             ///< beyond the thickness [m]
     std::span<const Vec4> starts;
     std::uint32_t size;

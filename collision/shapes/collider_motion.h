@@ -15,7 +15,7 @@ namespace weft {
 
 class HeldShape;
 
-/// One collider over one substep: where it was at its start and is at its end.
+/// One collider over one substep, with its state at the start and at the end.
 struct ColliderMotion {
     Collider start, end;  // the same alternative in both
     /// Speed limit of its axis, of a growing surface and of a plane: particles that they meet are moved no

@@ -1,4 +1,4 @@
-// Where a path first meets a shape. Included as engine/simd/lanes-inl.h is.
+// Continuous collision: where a path first meets a shape. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_SHAPES_FIRST_MET_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_SHAPES_FIRST_MET_INL_H

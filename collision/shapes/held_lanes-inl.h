@@ -266,7 +266,7 @@ struct OwnHeld {
     const HeldShape& shape;
     Sight sight;
     float rate;                          // host steps a second, if the shape deforms; else 0
-    const NearLeaves* leaves = nullptr;  // of a mesh; null: search the tree
+    const NearLeaves* leaves = nullptr;  // leaves near the points; null: search the tree
 
     [[nodiscard]] bool convex() const { return shape.is_convex(); }
     [[nodiscard]] HWY_INLINE Lanes3 carried(const Lanes3& q) const { return q; }

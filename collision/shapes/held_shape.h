@@ -102,8 +102,8 @@ class HeldShape {
     void find_rod();
     Data data_;
     Eigen::AlignedBox3f box_;
-    HeldDistances coarse_{};      // of a closed mesh
-    OutsideCells outside_;        // of a closed mesh that has been deformed
+    HeldDistances coarse_{};      // distances of a closed mesh
+    OutsideCells outside_;        // cells of a closed mesh that has been deformed
     std::vector<Vec3> original_;  // vertices before the first deformation; empty: none
     std::optional<InnerRod> rod_;
     bool convex_, is_edged_ = false;

@@ -23,7 +23,7 @@ namespace weft::HWY_NAMESPACE {
 /// the order in which other lanes make it search.
 struct NearestTriangle {
     Lanes squared;            // squared distance [m^2]; at first its upper bound
-    Lanes number = set(-1);   // triangle number; exact, being less than 2^24
+    Lanes number = set(-1);   // triangle number, exact below 2^24
     Lanes3 gap = zero3();     // from the triangle to the point [m]
     Lanes s = set(0), t = s;  // weights of its second and third corner
 
@@ -109,7 +109,7 @@ struct LaneBox {
 /// register need not descend the tree each time.
 class NearLeaves {
   public:
-    /// For points in the box. If the leaves do not fit or the sight is unbounded, search() declines.
+    /// Lists leaves for points in the box. If they do not fit or the sight is unbounded, search() declines.
     NearLeaves(const TriangleTree& tree, const Eigen::AlignedBox3f& box, float sight) : box_(box) {
         if (box.isEmpty() || !(sight < 1e6f)) return;
         const Vector3 margin = Vector3::Constant(1.0001f * sight);
@@ -135,8 +135,8 @@ class NearLeaves {
         sight_ = sight;
     }
 
-    /// As the tree's search(), among these leaves. False, with nothing done, for points outside the box or of
-    /// a longer sight.
+    /// Searches these leaves as search() does the tree. False, with nothing done, for points outside the box
+    /// or of a longer sight.
     template <class Mask>
     [[nodiscard]] bool search(const TriangleTree& tree, const Lanes3& q, Mask asked, float sight,
                               NearestTriangle& best) const {

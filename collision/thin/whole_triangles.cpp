@@ -71,7 +71,7 @@ class ParticleSides {
 
 }  // namespace
 
-/// One collider and the cloth.
+/// A pass of one collider against the cloth.
 struct WholeTriangles::Meeting {
     const Cores& cores;
     const ColliderMotion& motion;

@@ -1,5 +1,5 @@
 #pragma once
-// How a push is shared among the corners of a triangle.
+// The share of a push that each corner of a triangle gets.
 
 #include <algorithm>
 #include <array>

@@ -56,7 +56,7 @@ class SharedBuffer {
     }
     ~SharedBuffer() = default;
 
-    /// Gives a copy, or what is lent, memory of its own, with the same values.
+    /// Gives a copy or a lent buffer memory of its own, with the same values.
     void make_own() {
         if (is_copy_ || is_lent_) *this = SharedBuffer(std::as_const(*this).span());
     }

@@ -50,7 +50,7 @@ class TraceLog {
     std::atomic<std::size_t> appended_ = 0;  // may run past the size
 };
 
-/// Names what the calling thread is doing, for the parallel loops that it starts meanwhile.
+/// Names the calling thread's activity, for the parallel loops that it starts meanwhile.
 class NamedActivity {
   public:
     explicit NamedActivity(const char* name) noexcept;

@@ -54,8 +54,8 @@ class LoopTeam {
         Executor::Body body;
         void* context;
     };
-    /// Each thread starts with blocks of its own, the same in every loop of as many, so that what it wrote is
-    /// still in its cache; then it takes what others have left.
+    /// Each thread starts with blocks of its own, the same in every loop of as many, so that data that it
+    /// wrote is still in its cache. Then it takes blocks that others have left.
     struct alignas(64) Place {
         std::atomic<std::uint64_t> next = 0;  // number of the loop << 32 | next of the place's blocks
         std::atomic<bool> is_taken = false;

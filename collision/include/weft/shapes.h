@@ -1,6 +1,5 @@
 #pragma once
-// Shapes that a World holds once, of which colliders are placed instances: what props, terrain and bodies are
-// made of.
+// Shapes that a World holds once, and of which colliders are placed instances: props, terrain and bodies.
 
 #include <array>
 #include <cstdint>
