@@ -100,7 +100,7 @@ Result<void> World::work() {
 
 Result<void> World::end_step() {
     return without_exceptions([&]() -> Result<void> {
-        // Of several threads that get here, the first one ends the step.
+        // If several threads get here, the first one ends the step.
         StepPhase before = StepPhase::begun;
         if (impl_->phase.compare_exchange_strong(before, StepPhase::working))
             impl_->take_step();

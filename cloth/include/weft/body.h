@@ -36,9 +36,9 @@ struct BodySettings {
 
 /// Pose and velocities of a body.
 struct BodyState {
-    Vec3 position{};          ///< of its centre of mass [m], each coordinate from -1e5 to 1e5
-    Rotation rotation{};      ///< of its axes from the World's
-    Vec3 velocity{};          ///< of its centre of mass [m/s], each component up to 1e4
+    Vec3 position{};          ///< centre of mass [m], each coordinate from -1e5 to 1e5
+    Rotation rotation{};      ///< rotation of the body's axes from the World's
+    Vec3 velocity{};          ///< velocity of the centre of mass [m/s], each component up to 1e4
     Vec3 angular_velocity{};  ///< about the World's axes [rad/s], each component up to 1e4
 };
 

@@ -19,7 +19,7 @@ struct Contact {
     /// Particles nearest to the point: they index the buffers of ClothView.
     std::uint32_t particle = 0, other_particle = 0;
     Vec3 point{};   ///< on the collider's surface, or half way between the features, at the end [m]
-    Vec3 normal{};  ///< of unit length, out of the other and towards `cloth`
+    Vec3 normal{};  ///< unit vector out of the other, towards `cloth`
     /// Impulse on `cloth`, friction included [N s]; the other received the opposite. Over the step's length
     /// it is the mean force [N]; its normal component is positive. 0: `collider` is a trigger.
     Vec3 impulse{};

@@ -69,8 +69,8 @@ struct FiniteElements {
     bool consistent_mass = false;
 };
 
-/// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from the nearest pins than
-/// the way along the cloth, whatever the solver has left unsolved.
+/// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle is farther from the nearest pins than
+/// the path along the cloth is long, whatever the solver has left unsolved.
 struct Tethers {
     bool enabled = false;
     float slack = 1.0f;  ///< factor of the length along the cloth, 1 to 1000

@@ -180,7 +180,7 @@ WEFT_API const WeftBodyImpulse* weft_world_body_impulses(const WeftWorld* world,
 WEFT_API WeftResult weft_world_step(WeftWorld* world, float dt);
 WEFT_API WeftResult weft_world_report(const WeftWorld* world, WeftStepReport* report);
 WEFT_API WeftResult weft_world_cloth_report(const WeftWorld* world, WeftClothId id, WeftClothReport* report);
-// The error text of work() is that of the thread that calls it.
+// The error text of weft_world_work is that of the thread that calls it.
 WEFT_API WeftResult weft_world_begin_step(WeftWorld* world, float dt);
 WEFT_API WeftResult weft_world_work(WeftWorld* world);
 WEFT_API WeftResult weft_world_end_step(WeftWorld* world);
