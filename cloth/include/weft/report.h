@@ -95,7 +95,7 @@ struct StepReport {
     float milliseconds = 0;  ///< time of the whole step [ms]
 };
 
-/// The part of StepReport of one cloth; a cloth that was not stepped has no counts and flags.
+/// The part of StepReport of one cloth; of a cloth that was not stepped only enabled, asleep and particles.
 struct ClothReport {
     StepFlags flags = StepFlags::none;
     bool enabled = true, asleep = false;
