@@ -11,7 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-// Four sums side by side, else each term would wait for the one before it.
+// Four sums side by side, so that no term waits for the one before it.
 void restrict_rows(const Interpolation& p, const BlockRange& range, const Vec4* fine, Vec4* coarse) {
     const RowTag d;
     const std::uint32_t* const nodes = p.fine_nodes.data();
