@@ -23,10 +23,9 @@ static_assert(HeldContacts::group == Stencil::lanes);
 
 /// Contact gives particle i, at the velocity v_i, the impulse c_i - G_i v_i [kg m/s].
 struct ContactRows {
-    AlignedBuffer<float> blocks;   ///< G [kg], >= 0: per group 16 xx, yy, zz, xy, xz, yz
-    AlignedBuffer<Vec4> impulses;  ///< c, w 0
-    std::span<const std::uint32_t>
-        touching;  ///< see HeldContacts; blocks and impulses of a group that does not touch are undefined
+    AlignedBuffer<float> blocks;              ///< G [kg], >= 0: per group 16 xx, yy, zz, xy, xz, yz
+    AlignedBuffer<Vec4> impulses;             ///< c, w 0
+    std::span<const std::uint32_t> touching;  ///< see HeldContacts; rows of other groups are undefined
     /// Relaxation adds this to its diagonal for contact between particles [kg]; laid out as blocks. Empty:
     /// nothing.
     AlignedBuffer<float> in_relaxation;
