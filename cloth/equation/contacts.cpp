@@ -350,7 +350,7 @@ void Contacts::bounce(Parallel& parallel, const StepEquation& equation, std::spa
 }
 
 // Newton's law of restitution: the normal velocity after the substep is that before it, reversed and times
-// the restitution. What bounces presses no more: the next step neither draws it back nor extrapolates.
+// the restitution. A bouncing particle presses no more: the next step neither draws it back nor extrapolates.
 void Contacts::bounce_block(const StepEquation& equation, const BlockRange& range,
                             std::span<Vec4> velocities) {
     const std::uint32_t size = range.end - range.begin, group = range.begin / Stencil::lanes;

@@ -151,7 +151,7 @@ class ImplicitSystem {
     /// Returns the rows' shares of the products.
     virtual Products multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
                                    Vec4* product, GridWindow* window) const = 0;
-    /// With the terms that W leaves out.
+    /// multiply_rows() with the terms that W leaves out.
     virtual Products multiply_coupled_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
                                            Vec4* product, GridWindow* window) const {
         return multiply_rows(range, with, x, product, window);

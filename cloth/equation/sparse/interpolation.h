@@ -14,7 +14,7 @@ struct Interpolation {
     static constexpr std::uint32_t width = 3;
 
     Interpolation() = default;
-    /// All weights 0.
+    /// Sets all weights to 0.
     Interpolation(std::uint32_t fine_count, std::uint32_t coarse_count);
 
     std::uint32_t fine = 0, coarse = 0;

@@ -40,7 +40,7 @@ struct CoarseMatrix {
 
     CoarseMatrix() = default;
     CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
-    /// From saved lists.
+    /// Takes over saved lists.
     CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows)
         : stencil(std::move(of_level)), link_rows(std::move(rows)) {}
     void lay_out(Scratch& scratch, const GalerkinLists& lists);
@@ -70,7 +70,7 @@ void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const 
 /// Makes a block's coefficients and inverse diagonal from links and ground.
 void finish_block(const BlockRange& range, CoarseMatrix& matrix);
 
-/// As ImplicitSystem's functions of the same name.
+/// Loops over a block of rows, as ImplicitSystem's functions of the same names.
 void subtract_product_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                             Vec4* remainder);
 void relax_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

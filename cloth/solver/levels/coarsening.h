@@ -1,6 +1,6 @@
 #pragma once
-// From one level of a hierarchy to the next coarser one: which nodes stay, and how the others interpolate
-// from them. Works on any graph; done once, when a cloth gets its multilevel solver.
+// Coarsening of one level to the next: which nodes stay, and how the others interpolate from them. It works
+// on any graph, and runs once, when a cloth gets its multilevel solver.
 
 #include <cstdint>
 #include <span>
