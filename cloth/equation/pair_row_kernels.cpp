@@ -129,7 +129,7 @@ HWY_INLINE void linearise_part(const PairStiffness& stiffness, const Vec4* veloc
     const Lanes3 sliding = u - along * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
     // The impulse by the last pass's linearisation, which balances the load. The springs' own law is convex
-    // and gives more wherever a solution is inexact: friction would hold what slides.
+    // and gives more wherever a solution is inexact: friction would hold sliding features.
     const Lanes given =
         hn::NegMulAdd(load_lanes(group.spring + lane), along, load_lanes(group.at_rest + lane));
     const Lanes limit = hn::Mul(friction, hn::Min(pressed, hn::Max(given, set(0))));

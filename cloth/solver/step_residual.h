@@ -1,5 +1,5 @@
 #pragma once
-// How far a step's velocities are from solving its equation: one figure with one meaning for every method.
+// The relative residual of a step's velocities in its equation: one figure with one meaning for every method.
 
 #include <cstdint>
 #include <span>

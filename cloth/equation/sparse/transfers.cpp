@@ -41,7 +41,7 @@ void prolong_rows(const Correction& correction, const BlockRange& range, Vec4* f
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(restrict_rows);

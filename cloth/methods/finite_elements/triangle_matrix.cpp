@@ -89,7 +89,7 @@ void precondition(const TriangleMatrix& matrix, const BlockRange& range, const V
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(multiply);

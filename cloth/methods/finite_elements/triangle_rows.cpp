@@ -168,7 +168,7 @@ void residual(const TriangleState& state, const BlockRange& range, const Triangl
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(linearise);

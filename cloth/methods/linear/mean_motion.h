@@ -63,7 +63,7 @@ class MeanMotion {
     void solve(Parallel& parallel, const ContactRows* contacts, const Vec4* right_side, const Vec4* dv);
 
     std::uint32_t particles_;
-    SharedBuffer<std::uint32_t> components_;   // by particle; behind the last, their number
+    SharedBuffer<std::uint32_t> components_;   // by particle; behind the last the number of components
     std::vector<Piece> pieces_;                // block by block
     std::vector<std::uint32_t> block_pieces_;  // pieces of block k: [block_pieces_[k], block_pieces_[k + 1])
     std::vector<std::uint32_t> groups_;        // of 16 particles, in which a piece has any

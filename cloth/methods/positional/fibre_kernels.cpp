@@ -220,7 +220,7 @@ void ldlt(const FibreGroup& group) {
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(gauss_seidel);

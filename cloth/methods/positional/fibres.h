@@ -32,7 +32,7 @@ class FibresSolver final : public Solver {
     void solve_set(const SolverStep& step, const FibreSet& set);
 
     const ClothModel& model_;
-    Fibres method_;  // that memory was made for
+    Fibres method_;  // the method that memory was made for
     FibreSets sets_;
     Occurrences occurrences_;             // in sets_.particles
     Fabric fabric_{.areal_density = -1};  // of the compliances; none yet

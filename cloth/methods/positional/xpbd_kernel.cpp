@@ -84,7 +84,7 @@ void project_undamped(const SpringColours& colours, std::uint32_t begin, std::ui
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(project_damped);

@@ -170,7 +170,7 @@ void sum_links(const GalerkinLists& lists, const BlockRange& range, const Symmet
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(ground_rows);

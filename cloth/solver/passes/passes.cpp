@@ -124,7 +124,7 @@ class Passes {
     void keep_momentum();
 
     std::span<const PassMember> members_;
-    const SolverStep& first_;  // what all members share is read from it
+    const SolverStep& first_;  // read for what is common to all members
     Parallel& parallel_;
     PairRows* pairs_;  // null: no features touch
     BodyCoupling* bodies_;
