@@ -100,7 +100,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes pressed = hn::IfThenElse(along, hn::Neg(hn::Mul(spring, dot(relative, n))),
                                          hn::Mul(hn::Div(spring, set(block.gamma)), depth));
 
-    // The spring yields to the impulse beyond the load; collide() bears a small part of that, with friction.
+    // The spring yields to the impulse beyond the load; collide() bears a small part of it, under friction.
     const Lanes yields = hn::Max(hn::Sub(stored, load), zero);
     const Lanes limit = hn::Mul(motion.w, hn::MulAdd(yields, hn::Div(mass, spring), stored));
     const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
