@@ -1,7 +1,7 @@
 #pragma once
 // Limits of cloth that is worn: a leash round each particle's place on the skin, and a backstop behind it.
 // Both hold at the end of a substep, whatever the solver leaves. Both are also surfaces in the equation that
-// particles press on: without these, the cloth that hangs from held particles would draw these away.
+// particles press on: otherwise the cloth that hangs from a held particle would draw it into the limit.
 //
 // With place p and normal n at the substep's end, a particle x is kept where
 //     |x - p| <= leash   and   |x - c| >= r,   c = p - (offset + r) n;   r infinite: n . (x - p) >= -offset.
