@@ -31,7 +31,7 @@ class Surface {
     /// Call this when particles and their normals have changed otherwise than through this object.
     void forget() noexcept { is_behind_ = true; }
 
-    /// What air forces on a moving cloth depend on.
+    /// The inputs of air forces on a moving cloth.
     struct InAir {
         const Wind& wind;
         std::span<const Vec4> positions, velocities;

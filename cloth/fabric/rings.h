@@ -28,7 +28,7 @@ class Rings {
     /// tension of a spring is `slope` times its length, less `at_zero`; and for each of its triangles `other`
     /// times the other side at the particle, and `third_a` or `third_b` times the third side.
     enum Number : std::uint32_t {
-        stiffness,  ///< the part of the slope that the matrix knows [N/m]
+        stiffness,  ///< the part of the slope that is in W [N/m]
         slope,      ///< [N/m]
         at_zero,    ///< [N]
         other,      ///< [N/m]

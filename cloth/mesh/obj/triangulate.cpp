@@ -140,7 +140,7 @@ class EarClipping {
     std::size_t looks_left_;
 };
 
-/// Budget of the searches: nodes and corners looked at for each corner of the face, so that a file is read in
+/// Budget of the searches: nodes and corners visited for each corner of the face, so that a file is read in
 /// time proportional to its length. Combs, stars and spirals of up to 100 000 corners need 30 to 150. More
 /// are needed only where thousands of corners lie at one position; such a face counts as crossing itself.
 constexpr std::size_t most_looks = 512;

@@ -198,7 +198,7 @@ void Plate::find_bearings() {
     }
 }
 
-/// Shares each edge's n n^T by halves. What one end cannot bear of its half goes to the other, if that can.
+/// Shares each edge's n n^T by halves. The part that one end cannot bear goes to the other, if that can.
 void Plate::share_out() {
     for (SharedEdge& edge : edges_) {
         const Tensor& whole = edge.whole;
