@@ -45,8 +45,7 @@ struct AirBuffers {
 
 /// The particle of a block that is deepest in a trigger.
 struct DeepestInTrigger {
-    float gap =
-        std::numeric_limits<float>::infinity();  ///< distance less thickness; below 0: it is inside [m]
+    float gap = std::numeric_limits<float>::infinity();  ///< distance less thickness; below 0: inside [m]
     std::uint32_t particle = 0;
 };
 
@@ -268,8 +267,7 @@ struct Cloth {
     bool meets_bodies = false;              ///< whether it may meet bodies in the present substep
     AlignedBuffer<Vec4> part_start;         ///< positions at the start of a step's part, except the first
     std::optional<WholeTriangles> whole;    ///< only with colliders
-    /// Impulse of colliders on each particle in this step [N s], 0 before it; only where contacts are
-    /// reported.
+    /// Colliders' impulse per particle in this step [N s], 0 before it; only where contacts are reported.
     AlignedBuffer<Vec4> collider_impulses;
     /// Contact impulse per particle that no pair or collider has been credited with yet [N s]; w the impulse
     /// that was credited to colliders, along their normals [N s].
