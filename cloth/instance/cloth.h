@@ -263,7 +263,7 @@ struct Cloth {
     BodyBuffers body_buffers;          ///< empty without bodies
     /// Label, in a part's solve, of the free cloths and bodies that it moves together with.
     std::size_t free_with = 0;
-    std::vector<CollectedShare> collected;  ///< one a body; empty without bodies
+    std::vector<CollectedShare> collected;  ///< one per body; empty without bodies
     bool meets_bodies = false;              ///< whether it may meet bodies in the present substep
     AlignedBuffer<Vec4> part_start;         ///< positions at the start of a step's part, except the first
     std::optional<WholeTriangles> whole;    ///< only with colliders

@@ -69,7 +69,7 @@ class Recorder {
     RecordWriter writer_;
     StateHash hasher_;
     std::vector<HashOfCloth> hashes_;
-    std::vector<std::shared_ptr<const void>> cookings_;  // of the cooked cloths that were written
+    std::vector<std::shared_ptr<const void>> cookings_;  // identities of those that were written
     std::uint32_t number_ = 0;
     std::optional<ErrorCode> failed_;
     const char* why_ = "";  // a string literal

@@ -16,7 +16,7 @@ namespace weft {
 
 namespace {
 
-/// Where a recording is read from.
+/// A source of a recording's bytes.
 class Source {
   public:
     virtual ~Source() = default;

@@ -16,7 +16,7 @@ constexpr std::uint32_t too_few_blocks = 4;
 
 // One thread's share of the step is total / threads. A group well below it suits one thread: the others have
 // work until it is done, or nearly. A group up to it does, if its loops have too few blocks to keep all
-// threads busy. For a larger group the other threads would wait.
+// threads busy. The other threads would wait for a larger group.
 bool suits_one_thread(const Schedule::Group& group, std::uint64_t total, std::uint64_t threads) {
     if (threads == 1 || group.blocks <= too_few_blocks) return true;
     return 4 * group.work * threads <= total || (group.work * threads <= total && group.blocks < 4 * threads);

@@ -125,8 +125,7 @@ void keep_out_of_colliders(Simulation& world, Worker& worker, Cloth& cloth, floa
 
 }  // namespace
 
-/// Predicts the swept range of the cloth in a substep of h seconds. The push of colliders is that of the
-/// whole step, at most.
+/// Predicts the cloth's swept range in a substep of h seconds, enlarged by colliders' push in the whole step.
 void expect(const Simulation& world, Cloth& cloth, float h) {
     if (!cloth.has_features()) return;
     cloth.expected = way_of(cloth, h);

@@ -92,7 +92,7 @@ struct ClothState {
     StepRecord record;  ///< only with BDF2
     HeldContacts held;  ///< only of implicit solvers, with colliders, worn limits or features
     AlignedBuffer<TangleMemory> tangles;  ///< only with features in contact
-    std::vector<BodyShare> shares;        ///< one a body, in the order of ids
+    std::vector<BodyShare> shares;        ///< one per body, in the order of ids
     /// Not 0: features may cross, until a search finds that none does.
     std::uint32_t may_cross = 0;
     std::optional<Rest> rest;           ///< only where it may fall asleep
