@@ -15,8 +15,9 @@ struct LightFrame {
     float depth;  ///< from its near to its far plane [m]
 };
 
-/// Parallel light towards `direction` (unit, points at the light), over a map of `texels` on a side. The map
-/// moves by whole texels and grows by steps of a quarter, so that shadows do not crawl while cloth moves.
+/// Fits a map of `texels` on a side round the casters, for parallel light (`direction`: unit, towards it).
+/// The map moves by whole texels and grows by steps of a quarter, so that shadows do not crawl while cloth
+/// moves.
 [[nodiscard]] LightFrame fit_light(const Vector3& direction, const Box& casters, int texels);
 
 }  // namespace weft::render
