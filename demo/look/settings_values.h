@@ -15,12 +15,13 @@ struct SettingsValues {
 
 [[nodiscard]] std::string settings_text(const std::string& scene, const SettingsValues& present);
 
-/// The settings with what the file names in their place. Errors name the file and the key, and say what would
-/// be right.
+/// The given settings, replaced by the file's where it names them. Errors name the file and the key, and say
+/// what would be right.
 [[nodiscard]] Result<SettingsValues> read_settings(const std::filesystem::path& file,
                                                    const WorldSettings& world, const ClothSettings& cloth);
 
-/// The scene that a file of settings names; "" if none. Errors: it cannot be read, or is no JSON object.
+/// The scene that a file of settings names; "" if none. Errors: it cannot be read, is no JSON object, or its
+/// scene is no string.
 [[nodiscard]] Result<std::string> scene_of_settings(const std::filesystem::path& file);
 
 }  // namespace weft::demo

@@ -14,7 +14,7 @@ namespace weft::demo {
 struct Options : SimulationOptions {
     bool headless = false;
     bool panels = false;             ///< draw the panels into headless pictures too
-    std::optional<int> frames;       ///< headless default_frames; in a window until it is closed
+    std::optional<int> frames;       ///< empty: headless default_frames; in a window until it is closed
     int every = 0;                   ///< a picture of every n-th frame too; 0: of the last only
     int width = 1280, height = 800;  ///< of window and pictures [pixels]
     double turn = 0;                 ///< of the camera round the scene, from its own place [degrees]

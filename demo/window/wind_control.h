@@ -5,8 +5,8 @@
 
 namespace weft::demo {
 
-/// A heading seen from above and a speed along the ground; what blows up or down is left as it is. The
-/// heading is kept while the air is still, so that the wind comes back from where it was.
+/// A heading seen from above and a speed along the ground; the vertical component is not changed. The heading
+/// is kept while the air is still, so that the wind returns with the same heading.
 class WindControl {
   public:
     static constexpr float max_speed = 100.0f;  ///< along the ground [m/s], the most that --wind takes
