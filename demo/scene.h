@@ -23,13 +23,13 @@ struct SceneOptions {
     std::uint32_t particles = 0;        ///< about this many; 0: the scene's own number
     std::filesystem::path garment{};    ///< OBJ file, for scenes that take one
     std::filesystem::path motion{};     ///< BVH file or pipe, for scenes that take one
-    double speed = 1;                   ///< of the motion, over its own
+    double speed = 1;                   ///< factor on the motion's own speed
     bool skin = false;                  ///< garments collide with the body's skin, not capsules
     Hold hold = Hold::highest_opening;  ///< of the scene garment
     bool y_is_up = false;               ///< up in the garment's file is +Y; else +Z
 };
 
-/// A cloth of the scene with what drawing it needs.
+/// A cloth of the scene, with its data for drawing.
 struct SceneCloth {
     ClothId id;
     Mesh mesh;
@@ -59,7 +59,7 @@ class Scene {
 
     /// Wind, substeps and gravity that the scene starts with; threads and executor are the program's.
     [[nodiscard]] virtual WorldSettings world_settings() const { return {}; }
-    /// Adds cloths, pins and colliders to an empty world. Error: what could not be built, and why.
+    /// Adds cloths, pins and colliders to an empty world. Error: why something could not be built.
     [[nodiscard]] virtual Result<SceneContent> build(World& world, const SceneOptions& options) = 0;
     /// Moves pins and colliders before the step from `time` to `time + dt` [s].
     virtual void before_step(World& world, double time, float dt);
@@ -71,7 +71,7 @@ class Scene {
 
     /// The scene's own test: after this many steps of 1/60 s ...
     [[nodiscard]] virtual int check_steps() const { return 300; }
-    /// ... this must hold. Error: what does not, with its value.
+    /// ... this must hold. Error: the condition that fails, with its value.
     [[nodiscard]] virtual Result<void> check(const World& world) const = 0;
 };
 

@@ -226,7 +226,7 @@ struct ImGuiLayer::Impl {
     GLFWwindow* window;  // null offscreen
     float scale = 1;
     ImGuiContext* context;
-    std::optional<CurrentContext> frame;  // from begin() to end()
+    std::optional<CurrentContext> frame;  // set from begin() to end()
 };
 
 ImGuiLayer::ImGuiLayer(Context& context) : impl_(std::make_unique<Impl>(context.window_handle())) {}

@@ -18,8 +18,8 @@ namespace weft::demo {
 
 /// Parameters of tearing.
 struct Tearing {
-    float strain = 0.2f;    ///< of an edge, beyond which it tears
-    std::size_t edges = 4;  ///< in a step at most, the most strained first
+    float strain = 0.2f;    ///< strain of an edge beyond which it tears
+    std::size_t edges = 4;  ///< most edges torn in a step, the most strained first
 };
 /// Tears the cloth along edges that are strained more, but not at pins. True: something was split.
 [[nodiscard]] Result<bool> tear_cloth(World& world, SceneCloth& cloth, const Tearing& tearing);

@@ -19,7 +19,7 @@ class Knife {
 
   private:
     render::Ray last_{};
-    std::vector<CutStroke> strokes_;  // of each cloth of the scene
+    std::vector<CutStroke> strokes_;  // one for each cloth of the scene
 };
 
 }  // namespace weft::demo

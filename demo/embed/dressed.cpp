@@ -13,7 +13,7 @@ T need(weft::Result<T> result) {
     if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
-constexpr std::uint32_t rows = 30, columns = 60;  // of the skirt, from the waist down and round it
+constexpr std::uint32_t rows = 30, columns = 60;  // vertices of the skirt, from the waist down and round it
 
 weft::Vec3 on_ring(float radius, float height, std::uint32_t column) {
     const float angle = 6.2831853f * static_cast<float>(column) / columns;

@@ -1,5 +1,5 @@
 #pragma once
-// From particles back to the vertices that are drawn or written.
+// Copies particles back to the vertices that are drawn or written.
 
 #include <span>
 

@@ -15,7 +15,7 @@ namespace weft::demo {
 namespace {
 
 constexpr ImU32 arrow_colour = IM_COL32(30, 110, 190, 225), held_colour = IM_COL32(70, 165, 250, 255);
-constexpr std::size_t most_pins = 120;  // that are shown; more are a seam or a body's own
+constexpr std::size_t most_pins = 120;  // pins that are shown; more are a seam or a body's own
 
 /// Draws at points of the world, or at places in picture heights.
 class Pen {

@@ -41,7 +41,7 @@ class Photographer {
     Picture picture_;
     std::unique_ptr<PanelsInPicture> panels_;  // null: no panels are drawn
     int width_, height_;
-    float turn_ = 0;  // of the camera [rad]
+    float turn_ = 0;  // angle of the camera from the scene's own [rad]
 };
 
 }  // namespace weft::demo

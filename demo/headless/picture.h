@@ -28,7 +28,7 @@ class Picture {
                                            float alpha, std::span<const ColliderId> thrown = {},
                                            std::span<const render::DrawnLine> lines = {});
 
-    bool shows_wind = true;  ///< as an arrow on the ground
+    bool shows_wind = true;  ///< draws the wind as an arrow on the ground
 
     /// Sets the quality and the views of the inside; the cloths' looks and triangles follow at the next
     /// update().
@@ -67,7 +67,7 @@ class Picture {
     const Simulation* other_ = nullptr;
     Beside beside_;
     InsideDrawing drawing_;
-    std::vector<Vec4> colours_;  // of particles
+    std::vector<Vec4> colours_;  // colours of a cloth's particles
     render::Quality quality_;
     /// Whether meshes are rounded. Two compared simulations are drawn as they are.
     [[nodiscard]] bool rounds() const { return rounded_ && other_ == nullptr; }

@@ -7,7 +7,7 @@
 
 namespace weft::demo {
 
-/// What is equal for both.
+/// The quantity that is equal for both.
 enum class Fairness {
     same_steps,  ///< both take the substeps that are set
     same_time,   ///< the other takes as many substeps as fit into the shown one's time

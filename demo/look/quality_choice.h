@@ -13,7 +13,7 @@ struct QualityLevel {
     const char* name;
     render::Quality quality;
     const char* left_out;  ///< what is missing against the best, in words; "" if nothing
-    bool rounded;          ///< cloth is drawn by more triangles than it is made of
+    bool rounded;          ///< cloth is drawn by RoundedMesh
     float cost;            ///< drawing time over that of the best, about, by a processor
 };
 /// The levels, from the best to the fastest.
@@ -22,7 +22,7 @@ struct QualityLevel {
 class QualityChoice {
   public:
     bool automatic = true;
-    float pictures_a_second = 30;  ///< at least; drawing may take two thirds of a picture's time
+    float pictures_a_second = 30;  ///< least rate; drawing may take two thirds of a picture's time
 
     /// Adds a picture's drawing time at the present level [ms]. The median of eight decides: above limit()
     /// the level drops; it rises if the better level's expected time is below 0.8 limit().

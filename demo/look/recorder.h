@@ -10,7 +10,7 @@ namespace weft::demo {
 
 class Recorder {
   public:
-    static constexpr float pictures_a_second = 30;  ///< of a film, in time of the scene
+    static constexpr float pictures_a_second = 30;  ///< of a film, in the scene's time
 
     explicit Recorder(std::filesystem::path folder = ".") : folder_(std::move(folder)) {}
 

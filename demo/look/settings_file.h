@@ -25,7 +25,7 @@ namespace weft::demo {
 [[nodiscard]] Result<void> save_settings(const std::filesystem::path& file, const Simulation& simulation);
 
 /// Applies the file to the world and all cloths; with an error nothing changes. Errors name the file and the
-/// key, and say what would be right.
+/// key, and say which values are valid.
 [[nodiscard]] Result<void> load_settings(const std::filesystem::path& file, Simulation& simulation);
 
 }  // namespace weft::demo

@@ -1,5 +1,5 @@
 #pragma once
-// The text of a file of settings, and what it sets (settings_file.h).
+// Writes and reads the text of a file of settings (settings_file.h).
 
 #include <filesystem>
 #include <string>
@@ -16,7 +16,7 @@ struct SettingsValues {
 [[nodiscard]] std::string settings_text(const std::string& scene, const SettingsValues& present);
 
 /// The given settings, replaced by the file's where it names them. Errors name the file and the key, and say
-/// what would be right.
+/// which values are valid.
 [[nodiscard]] Result<SettingsValues> read_settings(const std::filesystem::path& file,
                                                    const WorldSettings& world, const ClothSettings& cloth);
 

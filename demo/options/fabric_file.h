@@ -10,7 +10,7 @@ namespace weft::demo {
 
 /// Reads a fabric from either of two kinds of file, told apart by their keys:
 ///
-/// Weft's own has the fields of Fabric, in their units; those left out have Fabric's defaults:
+/// Weft's own files have the fields of Fabric, in their units; fields left out have Fabric's defaults:
 ///
 ///     {"areal_density": 0.2, "warp": 400, "weft": 400, "shear": 100, "bending": 2e-5, "damping": 2e-4,
 ///      "stiffening": 0, "bending_ratio": 1}
@@ -29,7 +29,7 @@ namespace weft::demo {
 /// Stiffening is 2 to 4 for wovens and pile, 1.5 to 116 for the rest. A sheet whose shear passes warp or weft
 /// near rest, as soft knits have it, is stiffer there than it should be (see Fabric): meshes are not.
 ///
-/// Errors name the file and the key, and say what would be right.
+/// Errors name the file and the key, and say which values are valid.
 enum class MeasuredStretch { constant, stiffening };
 [[nodiscard]] Result<Fabric> load_fabric(const std::filesystem::path& file,
                                          MeasuredStretch stretch = MeasuredStretch::constant);

@@ -12,7 +12,7 @@ namespace weft::demo {
 struct NamedMethod {
     const char* name;     ///< on the command line and in tables: "conjugate-gradient"
     const char* title;    ///< for people
-    const char* summary;  ///< one sentence: what to expect of it
+    const char* summary;  ///< one sentence on its properties
     Method method;        ///< with its default settings
 };
 

@@ -23,8 +23,7 @@ struct SimulationOptions {
     std::filesystem::path settings;  ///< JSON file; empty: none
 };
 
-/// What the program prints instead of running, and the status that it exits with: 0 for --help, 2 for bad
-/// arguments.
+/// Text that the program prints instead of running, and its exit status: 0 for --help, 2 for bad arguments.
 struct EarlyExit {
     int status = 0;
     std::string text;

@@ -89,8 +89,8 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
             .append(what_is_slow(look.times.percentile(0.5f),
                                  look.quality.level() + 1 == static_cast<int>(quality_levels().size())))
             .append("\n");
-    // `unsolved` is left out: a cracking flag leaves more unsolved than swinging cloth. The times' panel shows
-    // how much.
+    // `unsolved` is left out: a cracking flag leaves more unsolved than swinging cloth. The times' panel
+    // shows how much.
     const auto flags = static_cast<StepFlags>(static_cast<unsigned>(report.flags) &
                                               ~static_cast<unsigned>(StepFlags::unsolved));
     present += flags_text(flags, speed_of(simulation.world().settings().wind));

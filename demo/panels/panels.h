@@ -87,13 +87,13 @@ class Panels {
 
     StageHistory history_;
     ScenePictures pictures_;
-    std::string troubles_;  // of the last steps, in words
+    std::string troubles_;  // troubles of the last steps, in words
     float covered_ = 0;
     double troubled_until_ = 0;  // end of their display [s]
 };
 
-// One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
-// goes on as it was.
+// One function for each panel, in a file of its name. Error: the simulation refuses the change, and runs on
+// without it.
 void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);

@@ -31,7 +31,7 @@ class StageTable {
     /// A line for each stage, the step first, parts indented under their stage: milliseconds, and the median
     /// in nanoseconds per particle.
     [[nodiscard]] std::string text(std::uint32_t particles) const;
-    /// The same as rows of a CSV file, each with what was measured.
+    /// Writes the same as rows of a CSV file, each with the data of `measured`.
     [[nodiscard]] Result<void> write_csv(const std::filesystem::path& file, const Measured& measured) const;
 
   private:

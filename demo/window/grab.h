@@ -33,7 +33,7 @@ class Grab {
     [[nodiscard]] bool was_pinned() const { return was_pinned_; }
     [[nodiscard]] ClothId cloth() const { return cloth_; }
     [[nodiscard]] std::uint32_t vertex() const { return vertex_; }
-    [[nodiscard]] Vec3 hand() const { return hand_; }  ///< where the particle is at the end of the step [m]
+    [[nodiscard]] Vec3 hand() const { return hand_; }  ///< place of the particle at the end of the step [m]
 
   private:
     bool active_ = false;

@@ -14,7 +14,7 @@ struct Hit {
     std::uint32_t particle;  ///< corner of the triangle nearest to the point that was hit
 };
 
-/// Where the ray first meets the cloth, from either side.
+/// The ray's first hit on the cloth, from either side.
 [[nodiscard]] std::optional<Hit> first_hit(const ClothView& cloth, const render::Ray& ray);
 
 }  // namespace weft::demo

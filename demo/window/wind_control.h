@@ -10,8 +10,8 @@ namespace weft::demo {
 class WindControl {
   public:
     static constexpr float max_speed = 100.0f;  ///< along the ground [m/s], the most that --wind takes
-    static constexpr float turn_rate = 1.6f;    ///< by keys [rad/s]
-    static constexpr float speed_rate = 4.0f;   ///< by keys [m/s^2]
+    static constexpr float turn_rate = 1.6f;    ///< turning by keys [rad/s]
+    static constexpr float speed_rate = 4.0f;   ///< change of speed by keys [m/s^2]
 
     WindControl() = default;
     explicit WindControl(const Vec3& velocity);

@@ -31,7 +31,7 @@ class ClothMesh {
     /// Precondition: a program made of cloth.vert is in use.
     void draw(const Program& program, float alpha) const;
 
-    [[nodiscard]] const Box& bounds() const noexcept { return bounds_; }  ///< of both position buffers
+    [[nodiscard]] const Box& bounds() const noexcept { return bounds_; }  ///< box round both position buffers
 
     FabricLook look;
 

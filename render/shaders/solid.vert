@@ -1,7 +1,7 @@
 // Bends the unit sphere of CapsuleMesh into the capsule from end_a to end_b, and the cube of BoxMesh into the
 // box about end_a.
 layout(location = 0) in vec4 unit;  // xyz: normal, of a capsule along +Y; w: its end (0 or 1), or 2 for a box
-layout(location = 1) in vec3 corner;  // of a box
+layout(location = 1) in vec3 corner;  // corner of the box
 
 uniform mat4 clip;
 uniform vec3 end_a, end_b;

@@ -1,7 +1,7 @@
 // Patterns of threads along u (weft) and along v (warp).
 struct Weave {
     vec2 slope;   // of the surface along u and v
-    float light;  // how much light reaches the thread's surface, about 1 on average
+    float light;  // share of light that reaches the thread's surface, about 1 on average
 };
 
 float hash(float n) { return fract(sin(n * 12.9898) * 43758.5453); }

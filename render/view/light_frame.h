@@ -1,5 +1,5 @@
 #pragma once
-// Where a light's depth map lies: the box, seen from the light, that holds everything that casts a shadow.
+// The frame of a light's depth map: the box, seen from the light, that holds everything that casts a shadow.
 
 #include <Eigen/Geometry>
 

@@ -38,7 +38,7 @@ class HandAir {
                    float dt, std::vector<AirSource>& air);
 
     AirSource fan_{}, blast_{};
-    std::vector<Seen> seen_;  // where colliders were before the last step
+    std::vector<Seen> seen_;  // middles of colliders before the last step
     bool blew_ = false;
 };
 

@@ -24,7 +24,7 @@ class Streaks {
 
     struct Mote {
         std::array<Vec3, length> trail;  ///< the last places, the newest first
-        std::size_t kept = 0;            ///< of the trail
+        std::size_t kept = 0;            ///< valid places of the trail
         float age = 0, lasts = 1;        ///< [s]
         float speed = 0;                 ///< of the air at the mote [m/s]
     };
@@ -34,7 +34,7 @@ class Streaks {
 
   private:
     void renew(Mote& mote);
-    float random();  // in [0, 1); has no effect on the simulation
+    float random();  // random number in [0, 1); it has no effect on the simulation
 
     Vec3 middle_{};
     float half_side_ = 1;

@@ -27,7 +27,7 @@ class WindArrow {
   private:
     Vec2 foot_{};
     float heading_ = 0;  // heading of the camera, as WindControl's
-    float rise_ = 1;     // in the picture, per picture height farther away
+    float rise_ = 1;     // rise in the picture per unit of length away from the camera
 };
 
 }  // namespace weft::demo
