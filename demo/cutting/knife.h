@@ -13,8 +13,7 @@ class Knife {
   public:
     /// Begins a stroke at the ray.
     void begin(const Simulation& simulation, const render::Ray& ray);
-    /// Continues the stroke to that ray and cuts between them. Error: why a cloth cannot be cut; the others
-    /// are.
+    /// Continues the stroke to that ray and cuts between. Error: why a cloth cannot be cut; others are.
     Result<void> draw_to(const render::Ray& ray, Simulation& simulation);
 
   private:

@@ -17,14 +17,12 @@ class HeldCollider {
     static constexpr float max_speed = 6.0f;   ///< of the hand [m/s]
     static constexpr float max_growth = 2.0f;  ///< factor in a second
 
-    /// Takes hold of the nearest collider on the ray that is nearer than `nearer_than` [m]. The hand moves in
-    /// the plane normal to `forward` through the point that was hit. A body's collider is let go at the next
-    /// step.
+    /// Takes hold of the first collider on the ray within `nearer_than` [m]. The hand moves in the plane
+    /// normal to `forward` through the hit. A body's collider is let go at the next step.
     bool begin(const World& world, std::span<const ColliderId> colliders, const render::Ray& ray,
                const Vec3& forward, float nearer_than);
     void aim(const render::Ray& ray);
-    /// Multiplies the size that is wanted, which is reached at max_growth. It stays within 1/50 and 50 times
-    /// the first size.
+    /// Multiplies the target size, from 1/50 to 50 times the first; max_growth limits the change.
     void scale(float factor);
     /// Moves and scales the collider over the step of dt [s] that follows.
     void before_step(World& world, float dt);

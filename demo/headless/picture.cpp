@@ -135,7 +135,7 @@ void Picture::update(const Simulation& simulation) {
 }
 
 void Picture::update_rounded(const ClothView& view, std::size_t index, bool lies_on_itself) {
-    constexpr float most = 0.03f;  // an edge that turns by 14 degrees; contact keeps layers ten times as far
+    constexpr float most = 0.03f;  // an edge that turns by 14 degrees; contact keeps layers 10 times as far
                                    // apart
     Fine& fine = fine_[index];
     fine.rounded.update(view, {fine.positions, fine.previous_positions, fine.normals},

@@ -30,8 +30,7 @@ class Picture {
 
     bool shows_wind = true;  ///< draws the wind as an arrow on the ground
 
-    /// Sets the quality and the views of the inside; the cloths' looks and triangles follow at the next
-    /// update().
+    /// Sets quality and views of the inside; the cloths' looks and triangles follow at the next update().
     void set_look(const QualityLevel& level, const Inside& inside);
     /// Shows another simulation of the scene to its right, from the next update() on; null: none.
     void set_beside(const Simulation* other) { other_ = other; }

@@ -1,6 +1,5 @@
 #pragma once
-// A finer mesh for drawing: four triangles for each of the cloth's, so that folds and edges of coarse meshes
-// are round.
+// A finer mesh for drawing: four triangles for each of the cloth's, so that folds of coarse meshes are round.
 
 #include <array>
 #include <cstdint>
@@ -26,8 +25,7 @@ class RoundedMesh {
     struct To {
         std::span<Vec4> positions, previous_positions, normals;
     };
-    /// Middles move by at most `most` of their edges' lengths: layers in contact would show through each
-    /// other.
+    /// Middles move by at most `most` of their edges' lengths: layers in contact would intersect.
     void update(const ClothView& cloth, const To& to, float most = 1) const;
     /// Interpolates a quantity of particles to vertices.
     void spread(const ClothView& cloth, std::span<const Vec4> particles, std::span<Vec4> to) const;

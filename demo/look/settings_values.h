@@ -20,8 +20,8 @@ struct SettingsValues {
 [[nodiscard]] Result<SettingsValues> read_settings(const std::filesystem::path& file,
                                                    const WorldSettings& world, const ClothSettings& cloth);
 
-/// The scene that a file of settings names; "" if none. Errors: it cannot be read, is no JSON object, or its
-/// scene is no string.
+/// The scene that a file of settings names; "" if none. Errors: an unreadable file, no JSON object, no
+/// string.
 [[nodiscard]] Result<std::string> scene_of_settings(const std::filesystem::path& file);
 
 }  // namespace weft::demo

@@ -92,8 +92,7 @@ class Panels {
     double troubled_until_ = 0;  // end of their display [s]
 };
 
-// One function for each panel, in a file of its name. Error: the simulation refuses the change, and runs on
-// without it.
+// One function for each panel, in a file of its name. Error: the simulation refuses the change.
 void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
@@ -109,8 +108,7 @@ void help_window(bool& shown, float room);
 
 /// The method panel's controls. True if something was changed.
 bool method_controls(ClothSettings& settings);
-/// Gives all cloths these settings: panels show and change the first cloth's. Error: that of the first cloth
-/// that refuses.
+/// Gives all cloths these settings: panels show the first cloth's. Error: of the first cloth that refuses.
 [[nodiscard]] Result<void> set_all_cloths(Simulation& simulation, const ClothSettings& settings);
 
 }  // namespace weft::demo

@@ -20,8 +20,7 @@ class Timeline {
 
     explicit Timeline(std::size_t room = usual_room) : room_(room) {}
 
-    /// Saves the simulation's present state, which becomes here(). Moments after the previous here() are
-    /// dropped.
+    /// Saves the present state, which becomes here(). Moments after the previous here() are dropped.
     Result<void> keep(const Simulation& simulation, const HandMark& mark = {});
     /// Restores the simulation to that moment, which becomes here(). Precondition: which < size(). Error: the
     /// World does not take the save, and stays where it is.
@@ -41,8 +40,7 @@ class Timeline {
         HandMark mark{};
         std::vector<std::byte> save;
     };
-    /// Gives `moment` a save of `size` bytes, in place of the oldest ones if needed. False: `size` exceeds
-    /// the room.
+    /// Gives `moment` a save of `size` bytes, for the oldest ones if needed. False: it exceeds the room.
     bool make_room(std::size_t size, Moment& moment);
 
     std::size_t room_, bytes_ = 0, here_ = 0;

@@ -8,8 +8,7 @@
 namespace weft::render {
 namespace {
 
-// Performance messages are skipped: they report how a driver works, not errors (NVIDIA's: recompiled
-// shaders).
+// Performance messages are skipped: they report no errors (NVIDIA's: a shader was compiled once more).
 void GLAD_API_PTR hear(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity, GLsizei /*length*/,
                        const GLchar* message, const void* to) {
     if (type == GL_DEBUG_TYPE_PERFORMANCE) return;

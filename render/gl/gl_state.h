@@ -1,7 +1,6 @@
 #pragma once
-// Saves and restores the host's OpenGL state. Each constructor saves a part of it and sets that part to
-// OpenGL's defaults; the destructor restores it. The host's state changes no picture, and no picture changes
-// it.
+// The host's OpenGL state. Each constructor saves a part of it and sets that part to OpenGL's defaults; the
+// destructor restores it. So the host's state changes no picture, and no picture changes it.
 
 #include <glad/gl.h>
 

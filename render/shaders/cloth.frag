@@ -38,7 +38,7 @@ vec3 striped(vec3 base) {
     return mix(base, stripe, mix(cover, 0.5, smoothstep(0.25, 0.5, edge)));
 }
 
-// Light that protruding fibres scatter at grazing angles (Estevez and Kulla 2017; visibility after Neubelt and Pettineo
+// Sheen: light of protruding fibres at grazing angles (Estevez and Kulla 2017; visibility after Neubelt and Pettineo
 // 2013).
 float fibre_edge(vec3 n, vec3 to_eye, vec3 to_light) {
     vec3 half_way = normalize(to_eye + to_light);

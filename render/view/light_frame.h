@@ -15,9 +15,8 @@ struct LightFrame {
     float depth;  ///< from its near to its far plane [m]
 };
 
-/// Fits a map of `texels` on a side round the casters, for parallel light (`direction`: unit, towards it).
-/// The map moves by whole texels and grows by steps of a quarter, so that shadows do not crawl while cloth
-/// moves.
+/// Fits a map of `texels` on a side round the casters; `direction`: unit, towards the parallel light. The map
+/// moves by whole texels and grows by steps of a quarter, so that shadows do not crawl.
 [[nodiscard]] LightFrame fit_light(const Vector3& direction, const Box& casters, int texels);
 
 }  // namespace weft::render

@@ -24,8 +24,8 @@ class Context {
     /// Error: no display, or no OpenGL 3.3 core.
     [[nodiscard]] static Result<Context> window(const WindowSettings& settings);
     /// An EGL context that needs no display and draws into framebuffer objects. It uses a graphics card where
-    /// EGL offers one, else Mesa's software renderer. `checked`: as in WindowSettings. Error: what each EGL
-    /// platform lacks.
+    /// EGL offers one, else Mesa's software renderer. `checked`: as in WindowSettings. Error: says what EGL
+    /// lacks.
     [[nodiscard]] static Result<Context> offscreen(bool checked = false);
     Context(Context&&) noexcept;
     Context& operator=(Context&&) noexcept;

@@ -8,8 +8,7 @@
 namespace weft::render {
 
 /// A layer with its own Dear ImGui context. That context is current between begin() and end(), where the host
-/// calls ImGui:: freely. All other calls leave the host's context current. At most one layer exists at a
-/// time.
+/// calls ImGui:: freely. All other calls leave the host's context current. At most one layer exists.
 class ImGuiLayer {
   public:
     /// Precondition: the Context outlives the layer. A host with GLFW callbacks of its own sets them before;
