@@ -25,7 +25,7 @@ class RoundedMesh {
     struct To {
         std::span<Vec4> positions, previous_positions, normals;
     };
-    /// Middles move by at most `most` of their edges' lengths: layers in contact would intersect.
+    /// Middles move by at most `most` of their edges' lengths; more lets drawn layers in contact intersect.
     void update(const ClothView& cloth, const To& to, float most = 1) const;
     /// Interpolates a quantity of particles to vertices.
     void spread(const ClothView& cloth, std::span<const Vec4> particles, std::span<Vec4> to) const;

@@ -20,7 +20,7 @@ struct SettingsValues {
 [[nodiscard]] Result<SettingsValues> read_settings(const std::filesystem::path& file,
                                                    const WorldSettings& world, const ClothSettings& cloth);
 
-/// The scene that a file of settings names; "" if none. Errors: an unreadable file, no JSON object, no
+/// The scene that a file of settings names; "" if none. Errors: no readable JSON object; the scene is no
 /// string.
 [[nodiscard]] Result<std::string> scene_of_settings(const std::filesystem::path& file);
 
