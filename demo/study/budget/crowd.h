@@ -9,18 +9,18 @@
 
 namespace weft::study {
 
-/// How all of it is stepped.
+/// How a crowd is stepped.
 struct CrowdSettings {
     Method method{};
     int substeps = 1;
     float budget = 0;        ///< [ms]
-    std::uint32_t rung = 0;  ///< of the budget's ladder, for all; 0: as the budget chooses
+    std::uint32_t rung = 0;  ///< of the budget's ladder, the same for all cloths; 0: the budget chooses
 };
 
 class Crowd {
   public:
     explicit Crowd(const CrowdSettings& settings);
-    /// One step; the processor's time for it [ms].
+    /// Takes one step and returns its processor time [ms].
     double step();
     /// Whether the camera sees the cloth, and from how far [m].
     [[nodiscard]] bool is_seen(std::size_t cloth) const;
