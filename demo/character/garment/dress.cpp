@@ -9,7 +9,7 @@ namespace {
 
 constexpr float gap = 0.009f;         // between body and dress [m]
 constexpr float flare = 0.42f;        // growth of the skirt's radius over its drop in height
-constexpr float bodice_part = 0.33f;  // of the rows
+constexpr float bodice_part = 0.33f;  // share of the rows
 
 /// Rings about the body's axis, from the bodice's rim to the hem.
 class DressMaker {
@@ -27,7 +27,7 @@ class DressMaker {
     }
 
     [[nodiscard]] Garment make(std::uint32_t vertices) const {
-        // Along the hem, the widest ring, two vertices take the length of three down the skirt.
+        // Along the hem, the widest ring, two vertices have the length of three down the skirt.
         const auto columns = static_cast<std::uint32_t>(std::lround(std::sqrt(1.85 * vertices)));
         const std::uint32_t rows = vertices / columns;
         const auto fixed_rows =

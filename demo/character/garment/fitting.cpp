@@ -42,7 +42,7 @@ class FittingRoom {
     }
 
     [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
-    /// Where the middle of a garment's highest opening belongs.
+    /// Target of the middle of a garment's highest opening [m].
     [[nodiscard]] Vector3 place_of_opening(bool from_waist) const {
         return from_waist ? Vector3(hips_ + 0.3f * (neck_ - hips_)) : neck_;
     }

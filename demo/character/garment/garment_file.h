@@ -11,7 +11,7 @@ namespace weft::demo {
 /// Vertices of faces whose material's name (`usemtl`) ends in "Free" are simulated, all others are fixed to
 /// the body. Such a garment is +Y up and stands round the body's stance. A file without materials is +Z up
 /// and stands anywhere. The body holds it by its highest opening: round the waist if it has one other
-/// opening, else about the neck.
+/// opening, otherwise about the neck.
 ///
 /// The names alone decide. The file that `mtllib` names gives the colour (Kd of the first Free material).
 /// Where the file or the material is missing, the garment has its default colour and a note says so. Texture

@@ -1,7 +1,7 @@
 #pragma once
 // Maps by vertex that are painted in a garment's file, or written beside it.
 //
-// NAME.maps beside NAME.obj (or NAME.glb) says what differs from vertex to vertex, a line for each part:
+// NAME.maps beside NAME.obj (or NAME.glb) gives maps their values, a line for each set of vertices:
 //
 //     # map      of which vertices    value
 //     leash      all                  0.15      all of them

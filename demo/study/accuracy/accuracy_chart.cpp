@@ -19,7 +19,7 @@ namespace {
 struct Kind {
     std::string file, title, axis, column;
     bool has_front;
-    /// Rows of references whose value is drawn as a level, with what to call it.
+    /// Rows of references whose value is drawn as a level, and the level's name.
     std::vector<std::pair<std::string, std::string>> levels;
 };
 

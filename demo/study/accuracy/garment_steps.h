@@ -1,6 +1,6 @@
 #pragma once
 // One step of a garment from states of a reference run. Trajectories of garments branch wherever cloth
-// buckles, even between two ways to converge; so solvers are judged by what they make of the same step.
+// buckles, even between two ways to converge. So solvers are judged by their results for the same step.
 
 #include <vector>
 

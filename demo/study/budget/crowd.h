@@ -1,5 +1,5 @@
 #pragma once
-// Fifty curtains in gusts, round a camera that turns: what a budget is for.
+// Fifty curtains in gusts, round a camera that turns: a scene for budgets.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ class Crowd {
     explicit Crowd(const CrowdSettings& settings);
     /// Takes one step and returns its processor time [ms].
     double step();
-    /// Whether the camera sees the cloth, and from how far [m].
+    /// Whether the camera sees the cloth, and its distance from the camera [m].
     [[nodiscard]] bool is_seen(std::size_t cloth) const;
     [[nodiscard]] float distance(std::size_t cloth) const { return distances_[cloth]; }
     [[nodiscard]] std::size_t size() const { return cloths_.size(); }

@@ -13,7 +13,7 @@ class ContactRun {
     /// Throws std::runtime_error where a World refuses the scene. `threads` 0: one per core.
     ContactRun(ContactScene scene, Rung rung, int threads = 1);
 
-    /// One step of ContactScene::step(); returns what World::step took [s].
+    /// Takes one step of ContactScene::step(); returns the time of World::step [s].
     double step();
     [[nodiscard]] double time() const { return static_cast<double>(steps_) * ContactScene::step(); }
     [[nodiscard]] bool over() const { return time() > scene_.seconds - ContactScene::step() / 2; }

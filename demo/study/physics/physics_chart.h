@@ -1,5 +1,5 @@
 #pragma once
-// The picture of what `weft_study physics` found.
+// The picture of a table that `weft_study physics` wrote.
 
 #include <filesystem>
 

@@ -9,7 +9,7 @@
 
 namespace weft::study {
 
-/// Where the particles of a sheet hung by two corners start, at rest.
+/// Start positions of the particles of a sheet hung by two corners, at rest.
 enum class Start {
     flat,       ///< horizontal, but for a bump of 0.1 mm
     crumpled,   ///< flat, each free particle off by up to 5 mm on each axis
