@@ -1,5 +1,5 @@
 #pragma once
-// JSON text in, and values as messages quote them.
+// Parses JSON text, and quotes values for messages.
 
 #include <optional>
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace weft::demo {
 
-/// No file that is read here nests deeper. nlohmann's library copies, writes and, if ordered, parses by
+/// Greatest depth of nesting that is accepted. nlohmann's library copies, writes and, if ordered, parses by
 /// recursion: a value that is nested a hundred thousand times overflows the stack.
 inline constexpr int deepest_json = 64;
 
-/// None: the input is no JSON, or is nested deeper than that.
+/// Parses the input. None: the input is no JSON, or is nested deeper than deepest_json.
 template <class Json, class Input>
 [[nodiscard]] std::optional<Json> parse_json(Input&& input) {
     bool is_too_deep = false;

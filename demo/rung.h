@@ -1,5 +1,5 @@
 #pragma once
-// How cloth is kept from passing through cloth, as people choose it and as the study tells it.
+// Levels of self-collision, as users choose them and as the study reports them.
 
 #include <array>
 
@@ -7,18 +7,18 @@
 
 namespace weft::demo {
 
-/// Of the ladder; each promises more than the one before, and costs more.
+/// A level of self-collision; each guarantees more than the one before, and costs more.
 enum class Rung {
     off,
     avoidance,     ///< particles are kept apart
     impact_zones,  ///< collisions of a step are resolved together, and momentum kept
-    contact,       ///< features meet in the equation, and none crosses
+    contact,       ///< contacts of features are part of the equation, and none crosses
 };
 inline constexpr std::array rungs{Rung::off, Rung::avoidance, Rung::impact_zones, Rung::contact};
 [[nodiscard]] const char* name_of(Rung rung);
 
 [[nodiscard]] Rung rung_of(const SelfCollision& settings);
-/// The one place that knows which settings a rung is; distance and friction stay as they are.
+/// Sets all settings that depend on the rung; distance and friction stay as they are.
 void set_rung(SelfCollision& settings, Rung rung);
 
 }  // namespace weft::demo

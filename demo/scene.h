@@ -1,5 +1,5 @@
 #pragma once
-// A scene: what stands in the world, what moves it, how to look at it, and how to tell that it went right.
+// A scene: its content in the world, its motion, its camera and its check.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,36 +16,36 @@
 
 namespace weft::demo {
 
-/// What of a garment stays where it is.
+/// The part of a garment that is pinned.
 enum class Hold { highest_opening, top, border, nothing };
 
 struct SceneOptions {
     std::uint32_t particles = 0;        ///< about this many; 0: the scene's own number
     std::filesystem::path garment{};    ///< OBJ file, for scenes that take one
-    std::filesystem::path motion{};     ///< BVH file or pipe, likewise
-    double speed = 1;                   ///< of the motion, times its own
-    bool skin = false;                  ///< what is worn meets the body's skin, not capsules
+    std::filesystem::path motion{};     ///< BVH file or pipe, for scenes that take one
+    double speed = 1;                   ///< factor on the motion's own speed
+    bool skin = false;                  ///< garments collide with the body's skin, not capsules
     Hold hold = Hold::highest_opening;  ///< of the scene garment
-    bool y_is_up = false;               ///< in the garment's file; else +Z
+    bool y_is_up = false;               ///< up in the garment's file is +Y; else +Z
 };
 
-/// A cloth of the scene with what drawing it needs.
+/// A cloth of the scene, with its data for drawing.
 struct SceneCloth {
     ClothId id;
     Mesh mesh;
     render::FabricLook look;
-    Mesh fine{};                               ///< what is drawn in place of the mesh, where `drawn` is set
-    std::shared_ptr<const DrawnMesh> drawn{};  ///< how it follows the cloth
+    Mesh fine{};                               ///< drawn in place of the mesh, where `drawn` is set
+    std::shared_ptr<const DrawnMesh> drawn{};  ///< how `fine` follows the cloth
 };
 
-/// What stands in the scene, of triangles.
+/// A solid of triangles in the scene.
 struct SceneSolid {
-    Mesh mesh;  ///< where it stands; vertices that triangles share are drawn smooth
+    Mesh mesh;  ///< in the world; shared vertices are shaded smoothly
     Vec3 colour;
-    std::shared_ptr<const std::vector<Vec3>> moving{};  ///< where its vertices are, if they move
+    std::shared_ptr<const std::vector<Vec3>> moving{};  ///< present vertices, if they move
 };
 
-/// What build() leaves behind for the program that shows the scene.
+/// The result of build(), for the program that shows the scene.
 struct SceneContent {
     std::vector<SceneCloth> cloths;
     std::vector<ColliderId> drawn_colliders;  ///< balls, capsules and boxes to draw; planes are the ground
@@ -59,19 +59,19 @@ class Scene {
 
     /// Wind, substeps and gravity that the scene starts with; threads and executor are the program's.
     [[nodiscard]] virtual WorldSettings world_settings() const { return {}; }
-    /// Adds cloths, pins and colliders to an empty world. Error: what could not be built, and why.
+    /// Adds cloths, pins and colliders to an empty world. Error: why something could not be built.
     [[nodiscard]] virtual Result<SceneContent> build(World& world, const SceneOptions& options) = 0;
     /// Moves pins and colliders before the step from `time` to `time + dt` [s].
     virtual void before_step(World& world, double time, float dt);
-    /// Then: cuts cloth, in the content as well. True: it did.
+    /// Called after before_step(): cuts cloth, in the content as well. True: cloth was cut.
     virtual bool cut_before_step(World& world, SceneContent& content);
 
-    /// What is to be read and seen beside its cloths, as the world is now.
+    /// Adds words and lines that show the world's present state.
     virtual void annotate(const World& /*world*/, Annotation& /*to*/) const {}
 
     /// The scene's own test: after this many steps of 1/60 s ...
     [[nodiscard]] virtual int check_steps() const { return 300; }
-    /// ... this must hold. Error: what does not, with its value.
+    /// ... this must hold. Error: the condition that fails, with its value.
     [[nodiscard]] virtual Result<void> check(const World& world) const = 0;
 };
 
@@ -82,12 +82,12 @@ struct SceneEntry {
     std::unique_ptr<Scene> (*make)();
     bool needs_garment = false;          ///< cannot be built without SceneOptions::garment
     bool takes_garment = needs_garment;  ///< can be built with one
-    bool takes_motion = false;           ///< likewise of SceneOptions::motion, speed and skin
+    bool takes_motion = false;           ///< uses SceneOptions::motion, speed and skin
 };
 
 /// All scenes, in the order in which they are listed. scenes/registry.cpp holds one line for each.
 [[nodiscard]] std::span<const SceneEntry> all_scenes();
-/// Null if there is none of that name.
+/// The scene of that name; null if there is none.
 [[nodiscard]] const SceneEntry* find_scene(std::string_view name);
 
 }  // namespace weft::demo

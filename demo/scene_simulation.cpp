@@ -33,7 +33,7 @@ void replace(WorldSettings& settings, const Overrides& overrides) {
     settings.wind.velocity = overrides.wind.value_or(settings.wind.velocity);
 }
 
-/// Of the vertices that are drawn.
+/// Appends the positions of the vertices that are drawn.
 void append_positions(const SceneCloth& cloth, const ClothView& view, std::vector<Vec3>& positions) {
     if (!cloth.drawn) {
         for (const std::uint32_t particle : view.vertex_to_particle)
@@ -122,7 +122,7 @@ Result<void> Simulation::restart() {
         if (auto set = fresh.world_.set_cloth_settings(fresh.content_.cloths[i].id, *settings); !set)
             return set.error();
     }
-    fresh.cuts_ = cuts_ + 1;  // its meshes are whole again
+    fresh.cuts_ = cuts_ + 1;  // the meshes are uncut again
     for (std::size_t i = 0; i < content_.cloths.size(); ++i)
         fresh.content_.cloths[i].look = content_.cloths[i].look;
     fresh.first_settings_ = first_settings_;

@@ -1,5 +1,5 @@
 #pragma once
-// A scene in a World, with what the command line changes about it.
+// A scene in a World, with the command line's changes.
 
 #include <cstdint>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace weft::demo {
 
-/// What a run asks for in place of the scene's own settings.
+/// Settings of a run, in place of the scene's own.
 struct Overrides {
     std::optional<Vec3> wind;  ///< [m/s]
     std::optional<Method> method;
@@ -20,7 +20,7 @@ struct Overrides {
     std::optional<int> substeps;
     std::optional<Rung> contact;
     int threads = 0;               ///< 0: one per core
-    std::filesystem::path record;  ///< where the World's calls are written down; empty: nowhere
+    std::filesystem::path record;  ///< file for a recording of the World's calls; empty: none
 };
 
 class Simulation {
@@ -29,7 +29,7 @@ class Simulation {
     [[nodiscard]] static Result<Simulation> create(const SceneEntry& entry, const SceneOptions& options,
                                                    const Overrides& overrides);
 
-    /// Sets what a run asks for; threads and recording are create()'s alone. Error: a cloth refuses it.
+    /// Applies the overrides; threads and recording are create()'s alone. Error: a cloth refuses one.
     [[nodiscard]] Result<void> apply(const Overrides& overrides);
 
     /// Moves the scene's pins and colliders, then the world, by dt [s].
@@ -37,16 +37,15 @@ class Simulation {
         before_step(dt);
         return world_.step(dt);
     }
-    /// The scene's part of it alone: the World's own step has to follow.
+    /// The scene's part of step() alone: World::step() has to follow.
     void before_step(float dt);
-    /// The World was put back to where it was at that time [s].
+    /// Call this when the World was restored to its state at that time [s].
     void set_time(double seconds) { time_ = seconds; }
 
-    /// The scene from its start, with the settings that the world and the cloths have now. Error: it cannot
-    /// be built any more, and why; what runs goes on as it was. A recording ends with the World that it is
-    /// of.
+    /// Restarts the scene with the present settings of the world and the cloths. Error: why it cannot be
+    /// built any more; the running scene is unchanged. A recording ends with its World.
     [[nodiscard]] Result<void> restart();
-    /// The settings that the world and the cloths started with; what moves goes on.
+    /// Restores the first settings of the world and the cloths; the motion continues.
     [[nodiscard]] Result<void> restore_defaults();
     /// Gives all cloths a fabric's threads, shine and light; their colours stay.
     void weave(const render::FabricLook& look);
@@ -54,14 +53,14 @@ class Simulation {
     [[nodiscard]] const SceneEntry& entry() const { return *entry_; }
     [[nodiscard]] Scene& scene() { return *scene_; }
     [[nodiscard]] const Scene& scene() const { return *scene_; }
-    /// What the scene is built by: of the next restart().
+    /// Options by which the scene is built; changes take effect at the next restart().
     [[nodiscard]] SceneOptions& options() { return options_; }
     [[nodiscard]] World& world() { return world_; }
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] const SceneContent& content() const { return content_; }
-    /// Parts edges of a cloth of the content, if they are more than the inside of a cut.
+    /// Splits edges of a cloth of the content, unless that would add no particle.
     Result<void> cut(std::size_t cloth, std::span<const MeshEdge> edges);
-    /// How often cloth was cut: with each, a mesh of the content is another.
+    /// Number of cuts and restarts; each replaces meshes of the content.
     [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
     [[nodiscard]] double time() const { return time_; }  ///< [s]
 

@@ -1,5 +1,5 @@
 #pragma once
-// Boxes along the axes.
+// Axis-aligned bounding boxes.
 
 #include <limits>
 
@@ -23,8 +23,8 @@ inline Bounds grown(const Bounds& box, float by) {
            b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
 }
 
-/// Two boxes are apart if no point is in both. One with a coordinate that is not a number is apart from none
-/// along that axis.
+/// Two boxes are apart if no point is in both. A box with a coordinate that is not a number is apart from
+/// none along that axis.
 [[nodiscard]] inline bool are_apart(const Bounds& a, const Bounds& b) {
     return a.lower.x > b.upper.x || b.lower.x > a.upper.x || a.lower.y > b.upper.y || b.lower.y > a.upper.y ||
            a.lower.z > b.upper.z || b.lower.z > a.upper.z;

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// "ClothSettings::fabric.warp is -3; it must be finite and >= 0 N/m".
+/// An error such as "ClothSettings::fabric.warp is -3; it must be finite and >= 0 N/m".
 [[nodiscard]] Error out_of_range(std::string_view name, double value, std::string_view requirement);
 [[nodiscard]] Error out_of_range(std::string_view name, const Vec3& value, std::string_view requirement);
 

@@ -1,16 +1,15 @@
 #pragma once
-// What differs from compiler to compiler and from system to system, so that no other file asks which it is.
+// Differences between compilers and between systems, so that no other file tests for either.
 
 #include <atomic>
 #include <cstdint>
 
 #if defined(__wasm__) && !defined(_REENTRANT)
-#define WEFT_WITHOUT_THREADS  // a World has one thread, whatever it is told
+#define WEFT_WITHOUT_THREADS  // a World has one thread, whatever the host asks for
 #endif
 
 #ifdef __wasi__
-#define WEFT_WITHOUT_FILES  // no streams of files in its standard library; recordings are written all the
-                            // same
+#define WEFT_WITHOUT_FILES  // WASI's standard library has no file streams; recordings work all the same
 #endif
 
 #ifdef __GNUC__  // and clang
@@ -21,11 +20,11 @@
 
 namespace weft {
 
-/// Of this machine; 0: not known.
+/// Number of this machine's hardware threads; 0: not known.
 [[nodiscard]] int hardware_threads() noexcept;
 void yield_thread() noexcept;
 
-/// For what any of several threads may write, each the same.
+/// Stores a value that several threads may write at once, all of them the same.
 inline void store_relaxed(std::uint8_t& to, std::uint8_t value) noexcept {
 #ifdef __cpp_lib_atomic_ref
     std::atomic_ref<std::uint8_t>(to).store(value, std::memory_order_relaxed);

@@ -1,5 +1,5 @@
 #pragma once
-// A direction for two particles that are at the same point, and so have none.
+// A direction in which to separate two particles at the same point.
 
 #include <cmath>
 #include <cstdint>
@@ -9,8 +9,8 @@
 namespace weft {
 
 /// A unit vector that depends on the two indices alone and changes sign when they are swapped: both particles
-/// of a pair then move apart, the same way at every run. Evenly spread over the sphere, so that a cloth
-/// collapsed to one point opens in all directions and not along a line.
+/// of a pair then move apart, the same way at every run. The vectors are spread evenly over the sphere, so
+/// that a cloth collapsed to one point opens in all directions and not along a line.
 inline Vector3 separating_direction(std::uint32_t i, std::uint32_t j) {
     const std::uint32_t low = i < j ? i : j;
     const std::uint32_t high = i < j ? j : i;

@@ -10,8 +10,8 @@
 
 namespace weft {
 
-/// Where a map's generations start: another number at each call in this process, never 0. Any n numbers in a
-/// row, n up to 2^15, lie at least 2^32 / (3 n) apart: they are the multiples of the golden ratio.
+/// First generation of a map: another number at each call in this process, never 0. Any n consecutive ones, n
+/// up to 2^15, lie at least 2^32 / (3 n) apart: they are the multiples of the golden ratio.
 [[nodiscard]] inline std::uint32_t new_first_generation() noexcept {
     static std::atomic<std::uint32_t> calls = 0;
     constexpr std::uint32_t golden_ratio = 0x9E3779B9u;  // its fraction times 2^32 (Knuth 1973, section 6.4)
@@ -35,7 +35,7 @@ class SlotMap {
     explicit SlotMap(Generation first_generation = 1) : first_generation_(first_generation) {}
 
     Id insert(const T& value) { return insert(T(value)); }
-    /// Where it throws, the value is as it was.
+    /// If it throws, the value is unchanged.
     Id insert(T&& value) {
         if (free_.empty()) {
             if (free_.capacity() <= slots_.size())
@@ -60,8 +60,8 @@ class SlotMap {
         if (!holds(id)) return false;
         Slot& slot = slots_[id.index];
         slot.value.reset();
-        // A slot whose generations are used up is never handed out again: its first id would come back to
-        // life.
+        // A slot whose generations are used up is never handed out again: its first id would become valid
+        // again.
         if (++slot.generation == 0) slot.generation = 1;
         if (slot.generation != first_generation_)
             free_.push_back(id.index);
@@ -72,7 +72,7 @@ class SlotMap {
 
     [[nodiscard]] std::size_t size() const noexcept { return slots_.size() - free_.size() - retired_; }
 
-    /// Ids have lower indices.
+    /// Number of slots; all ids have lower indices.
     [[nodiscard]] std::size_t slots() const noexcept { return slots_.size(); }
 
     template <class F>

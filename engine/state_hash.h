@@ -19,7 +19,7 @@ class StateHash {
     StateHash(const StateHash&) = delete;
     StateHash& operator=(const StateHash&) = delete;
 
-    /// T has no padding and no pointers, whose bytes are not state.
+    /// Precondition: T has no padding and no pointers, whose bytes are not state.
     template <class T, std::size_t extent>
     requires std::is_trivially_copyable_v<T>
     void add(std::span<T, extent> values) noexcept {
@@ -27,14 +27,14 @@ class StateHash {
         add_bytes(std::as_bytes(std::span(shape)));
         add_bytes(std::as_bytes(values));
     }
-    /// One value, as a span of it.
+    /// Adds one value, as a span of it.
     template <class T>
     requires std::is_trivially_copyable_v<T> &&
         (!std::is_pointer_v<T>)&&(!std::ranges::range<T>)void add(const T& value) noexcept {
         add(std::span(&value, 1));
     }
     [[nodiscard]] std::uint64_t value() const noexcept;
-    /// As it was made.
+    /// Restores the initial state.
     void reset() noexcept;
 
   private:

@@ -18,7 +18,7 @@ namespace weft::render {
 
 namespace {
 
-// Where Debian and others keep a font that reads better than Dear ImGui's built-in bitmap.
+// Fonts that read better than Dear ImGui's built-in bitmap, where Debian and others keep them.
 constexpr const char* fonts[] = {
     "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
     "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf",
@@ -46,7 +46,7 @@ ImVec4 accent(float opacity) {
     return {0.30f, 0.62f, 0.86f, opacity};
 }
 
-/// Dark, slightly transparent panels, one blue for whatever is held or chosen.
+/// Sets dark, slightly transparent panels, and one blue for active and chosen widgets.
 void set_style(float scale) {
     ImGuiStyle& style = ImGui::GetStyle();
     ImGui::StyleColorsDark(&style);
@@ -89,7 +89,7 @@ float content_scale(GLFWwindow* window) {
     return std::clamp(across, 1.0f, 4.0f);
 }
 
-/// Makes a context of Dear ImGui the current one, and the host's again as it ends.
+/// Makes a Dear ImGui context current; the destructor restores the host's.
 class CurrentContext {
   public:
     explicit CurrentContext(ImGuiContext* context) : host_(ImGui::GetCurrentContext()) {
@@ -103,14 +103,13 @@ class CurrentContext {
     ImGuiContext* host_;
 };
 
-/// Whichever context is current stays so.
+/// Creates a context and leaves the current one current.
 ImGuiContext* make_context() {
     const CurrentContext host(ImGui::GetCurrentContext());
     return ImGui::CreateContext();
 }
 
-/// A window's callbacks. The layer's pass each event on to whatever the host had set, in the host's own
-/// context.
+/// A window's callbacks. The layer's callbacks pass each event on to the host's, in the host's own context.
 struct Callbacks {
     GLFWwindowfocusfun focus = nullptr;
     GLFWcursorenterfun enter = nullptr;
@@ -120,7 +119,7 @@ struct Callbacks {
     GLFWkeyfun key = nullptr;
     GLFWcharfun character = nullptr;
 
-    /// Sets them, and returns those that were set before.
+    /// Sets these callbacks and returns the previous ones.
     [[nodiscard]] Callbacks exchange(GLFWwindow* window) const {
         return {glfwSetWindowFocusCallback(window, focus),  glfwSetCursorEnterCallback(window, enter),
                 glfwSetCursorPosCallback(window, position), glfwSetMouseButtonCallback(window, button),
@@ -129,7 +128,7 @@ struct Callbacks {
     }
 };
 
-/// The layer that listens to its window. GLFW's events come on the main thread alone.
+/// The layer that receives its window's events. GLFW delivers events on the main thread alone.
 struct Listener {
     ImGuiContext* context = nullptr;
     Callbacks host;
@@ -154,7 +153,7 @@ Callbacks layer_callbacks() {
     own.enter = [](GLFWwindow* w, int entered) {
         listener.pass(ImGui_ImplGlfw_CursorEnterCallback, listener.host.enter, w, entered);
     };
-#if IMGUI_VERSION_NUM >= 18700  // before, the pointer is asked for its place at each frame
+#if IMGUI_VERSION_NUM >= 18700  // older versions poll the pointer's position each frame
     own.position = [](GLFWwindow* w, double x, double y) {
         listener.pass(ImGui_ImplGlfw_CursorPosCallback, listener.host.position, w, x, y);
     };
@@ -209,7 +208,7 @@ struct ImGuiLayer::Impl {
         ImGui::DestroyContext(context);
     }
 
-    /// Of the display that the window is on: it may have been moved to another.
+    /// Adopts the scale of the window's display: the window may have moved to another.
     void follow_scale() {
         const float present = content_scale(window);
         if (present == scale) return;
@@ -218,7 +217,7 @@ struct ImGuiLayer::Impl {
         set_style(scale);
         ImGui::GetIO().Fonts->Clear();
         load_font(scale);
-#if IMGUI_VERSION_NUM < 19200  // later ones see it themselves
+#if IMGUI_VERSION_NUM < 19200  // later versions update the texture themselves
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
 #endif
@@ -227,7 +226,7 @@ struct ImGuiLayer::Impl {
     GLFWwindow* window;  // null offscreen
     float scale = 1;
     ImGuiContext* context;
-    std::optional<CurrentContext> frame;  // from begin() to end()
+    std::optional<CurrentContext> frame;  // set from begin() to end()
 };
 
 ImGuiLayer::ImGuiLayer(Context& context) : impl_(std::make_unique<Impl>(context.window_handle())) {}

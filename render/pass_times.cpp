@@ -23,7 +23,7 @@ void PassTimes::end() {
     pictures_[picture_].asked = true;
 }
 
-/// What is not there by now is given up.
+/// Reads a picture's timestamps; those that are not available yet are dropped.
 void PassTimes::read(Picture& picture) {
     if (!picture.asked) return;
     picture.asked = false;

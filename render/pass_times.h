@@ -1,5 +1,5 @@
 #pragma once
-// When the driver came to each part of a picture.
+// Times at which the driver reached each part of a picture.
 
 #include <array>
 
@@ -8,7 +8,7 @@
 
 namespace weft::render {
 
-/// Asks for the time between parts, and reads the answers once they are there, without waiting for them.
+/// Queries timestamps between the parts and reads those that are available, without waiting.
 class PassTimes {
   public:
     PassTimes();

@@ -20,7 +20,7 @@ namespace weft::render {
 
 namespace {
 
-/// Each of its numbers within its range.
+/// Clamps every number to its range.
 Quality bounded(Quality quality) {
     quality.samples = std::clamp(quality.samples, 1, 4);
     quality.sun_map = std::clamp(quality.sun_map, 64, 4096);
@@ -46,7 +46,7 @@ Vector3 unit_or_up(const Vec3& direction) {
     return v.norm() > 1e-6f ? Vector3(v.normalized()) : Vector3(Vector3::UnitY());
 }
 
-/// Clip coordinates to texture coordinates and depth, all in [0, 1].
+/// Maps clip coordinates to texture coordinates and depth, all in [0, 1].
 Matrix4f map_from_clip() {
     Matrix4f m = Matrix4f::Identity();
     m.diagonal() << 0.5f, 0.5f, 0.5f, 1.0f;
@@ -58,7 +58,7 @@ Vec4 extent_of(const LightFrame& light, int texels) {
     return {light.side, light.depth, light.side / static_cast<float>(texels), 0};
 }
 
-/// The foot lies upwind of what the scene holds; the length grows with the speed, ever less.
+/// Foot and vector of the wind's arrow. The foot lies upwind of the scene; the length saturates at 1 m.
 Vec4 wind_arrow(const Vec3& wind, const Box& bounds) {
     const Vector3 along(wind.x, 0, wind.z);
     const float speed = along.norm();
@@ -106,7 +106,7 @@ struct SceneRenderer::Impl {
     BoxMesh box_mesh;
     LineMesh line_mesh;
     PassTimes pass_times;
-    std::vector<DrawnTaperedCapsule> solids;  // of the picture being drawn, but for its boxes
+    std::vector<DrawnTaperedCapsule> solids;  // spheres and capsules of the current picture
     std::vector<DrawnBox> boxes;
 
     std::map<ClothHandle, ClothMesh> cloths;
@@ -157,8 +157,8 @@ void SceneRenderer::Impl::draw(const View& view, int width, int height, unsigned
     pass_times.end();
 }
 
-/// The sun meets a solid's lit side; from above its underside counts, which tells how close it is to the
-/// ground.
+/// The sun's map holds the lit sides of solids. The map from above holds their undersides, whose depth gives
+/// the height above the ground.
 void SceneRenderer::Impl::draw_maps(const LightFrame& sun, const LightFrame& sky, const View& view,
                                     const Quality& quality) {
     draw_depth(sun_map, sun, view.alpha, GL_BACK);
@@ -167,7 +167,7 @@ void SceneRenderer::Impl::draw_maps(const LightFrame& sun, const LightFrame& sky
     sky_map.bind(unit::sky_depth);
 }
 
-/// What is near comes first, so that what it hides is not shaded; the sky is behind all.
+/// Draws solids and cloth before the ground and the sky, so that hidden ground and sky are not shaded.
 void SceneRenderer::Impl::draw_scene(const View& view, const Matrix4f& clip) {
     picture.begin();
     draw_solids(programs.solid, clip);
@@ -218,7 +218,7 @@ void SceneRenderer::Impl::upload_frame(const View& view, const Matrix4f& clip, c
 void SceneRenderer::Impl::draw_depth(const DepthMap& map, const LightFrame& light, float alpha,
                                      GLenum hidden_side) const {
     map.begin();
-    // Slopes are pushed away from the light, against stripes of shadow on lit surfaces.
+    // A depth offset that grows with the slope prevents stripes of shadow on lit surfaces.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
     glCullFace(hidden_side);
@@ -237,7 +237,7 @@ void SceneRenderer::Impl::draw_sky() const {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// From below the ground is not there, so that it never hides the scene.
+/// The ground is culled from below, so that it never hides the scene.
 void SceneRenderer::Impl::draw_ground() const {
     glCullFace(GL_BACK);
     glEnable(GL_CULL_FACE);
@@ -345,7 +345,7 @@ Image SceneRenderer::capture(const View& view, int width, int height, const std:
     }
     draw(view, width, height, target.framebuffer());
     if (overlay) overlay();
-    const SavedBindings bindings;  // anew, since the overlay may have changed them
+    const SavedBindings bindings;  // saved again, since the overlay may have changed them
     return target.read();
 }
 

@@ -13,12 +13,12 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-// Across a jet and a wake the speed falls as (1 + (sqrt(2) - 1) r^2 / b^2)^-2, b being where it is half of
-// that on the axis: what a constant eddy viscosity makes of a round jet (Schlichting 1979, XXIV).
+// Across a jet and a wake the speed falls as (1 + (sqrt(2) - 1) r^2 / b^2)^-2, b being the radius where it is
+// half of that on the axis. A round jet of constant eddy viscosity has this profile (Schlichting 1979, XXIV).
 constexpr float fall = 0.41421356f;
-constexpr float spread_of_jet = 0.1f;  // of b, by way
+constexpr float spread_of_jet = 0.1f;  // growth of b per distance along the axis
 
-/// A source as kernels read it, and a place as it sees it.
+/// A source as kernels read it, and points relative to it.
 struct Source {
     explicit Source(const AirSource& source)
         : middle(source.position.x, source.position.y, source.position.z),
@@ -34,7 +34,7 @@ struct Source {
 };
 struct Seen {
     Lanes3 way;                            // from the source's middle
-    Lanes squared, ahead, squared_across;  // its length, its part along the axis, and the rest's
+    Lanes squared, ahead, squared_across;  // squared length; part along the axis; squared rest
 };
 HWY_INLINE Lanes3 set_vector(const Vector3& v) {
     return {set(v.x()), set(v.y()), set(v.z())};
@@ -51,7 +51,7 @@ HWY_INLINE Lanes square(Lanes value) {
     return hn::Mul(value, value);
 }
 
-/// U (R / b) profile: the momentum, as b^2 times the square of the speed on the axis, is kept.
+/// U (R / b) profile. The momentum, as b^2 times the square of the speed on the axis, is constant along it.
 HWY_INLINE Lanes3 jet(const Source& source, const Seen& at) {
     const Lanes b = hn::MulAdd(set(spread_of_jet), hn::Max(at.ahead, hn::Zero(Tag())), set(source.radius));
     const Lanes share = hn::Div(square(b), hn::MulAdd(set(fall), at.squared_across, square(b)));
@@ -69,7 +69,7 @@ HWY_INLINE Lanes3 blast(const Source& source, const Seen& at) {
 HWY_INLINE Lanes3 wake(const Source& source, const Seen& at) {
     const Lanes squared_radius = set(source.radius * source.radius);
     const auto is_outside = hn::Gt(at.squared, squared_radius);
-    // Within the ball nothing of this counts, and nothing must be infinite.
+    // Inside the ball these terms are not used, but they must be finite.
     const Lanes squared = hn::Max(at.squared, squared_radius);
     const Lanes dipole =
         hn::Div(hn::Mul(set(0.5f * source.radius), squared_radius), hn::Mul(squared, hn::Sqrt(squared)));
@@ -114,7 +114,7 @@ void add_air_to_block(const Wind& wind, const BlockRange& range, const Vec4* poi
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // compiled once, not for each instruction set
 namespace weft {
 
 HWY_EXPORT(add_air_to_block);
@@ -123,7 +123,7 @@ void add_air_of_sources(Parallel& parallel, const Wind& wind, std::span<const Ve
                         std::span<Vec4> velocities) {
     parallel.ranges(static_cast<std::uint32_t>(points.size()), [&](const BlockRange& range) {
         HWY_DYNAMIC_DISPATCH(add_air_to_block)(wind, range, points.data(), velocities.data());
-        // What lies behind the last point stays 0.
+        // The padding behind the last point stays 0.
         for (std::uint32_t i = range.end; i % AlignedBuffer<Vec4>::group != 0; ++i) velocities.data()[i] = {};
     });
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Fans, blasts and balls that pass: air that moves at one place.
+// Local sources of moving air: jets, blasts, and wakes of balls that pass.
 
 #include <algorithm>
 #include <span>
@@ -14,7 +14,7 @@ namespace weft {
                                [](const AirSource& source) { return source.kind != AirSourceKind::none; });
 }
 
-/// Adds to the air's velocities at points [m/s] what the sources make; both in AlignedBuffers.
+/// Adds the velocities that the sources make at points [m/s] to the air's. Both are in AlignedBuffers.
 void add_air_of_sources(Parallel& parallel, const Wind& wind, std::span<const Vec4> points,
                         std::span<Vec4> velocities);
 

@@ -60,7 +60,7 @@ HWY_INLINE Cell cell_of(Lanes coordinate) {
             fade(hn::Sub(coordinate, floor))};
 }
 
-/// Between 0 and 1023 in each component.
+/// Value noise, between 0 and 1023 in each component.
 HWY_INLINE Lanes3 value_noise(const Lanes3& p, std::uint32_t seed) {
     const Bits seed_bits = set_bits(seed * 0x9E3779B1u);
     const Cell x = cell_of<0>(p.x), y = cell_of<8>(p.y), z = cell_of<16>(p.z);
@@ -77,8 +77,8 @@ HWY_INLINE Lanes3 value_noise(const Lanes3& p, std::uint32_t seed) {
     return blended(z.weight, along_y(z.near), along_y(z.far));
 }
 
-/// Of value_noise in [-1, 1] plus half of a second octave: 1 / sqrt(1.25 * 1/3 * s^3), s = 181/231 being the
-/// mean of fade(t)^2 + fade(1 - t)^2 over a cell.
+/// The factor to unit variance for value_noise in [-1, 1] plus half of a second octave:
+/// 1 / sqrt(1.25 * 1/3 * s^3), s = 181/231 being the mean of fade(t)^2 + fade(1 - t)^2 over a cell.
 constexpr float to_unit_variance = 2.2333f;
 
 void sample_block(const WindField& field, const BlockRange& range, const Vec4* points, Vec4* velocities) {
@@ -102,14 +102,14 @@ void sample_block(const WindField& field, const BlockRange& range, const Vec4* p
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // compiled once, not for each instruction set
 namespace weft {
 
 HWY_EXPORT(sample_block);
 
 namespace {
 
-/// Metres to lattice coordinates in [0, period), in double before the cast.
+/// Converts metres to lattice coordinates in [0, period), in double before the cast.
 float lattice_offset(double metres, float scale) {
     const double cells =
         std::fmod(metres * static_cast<double>(scale), static_cast<double>(WindField::period));
@@ -137,7 +137,7 @@ WindField::WindField(const Wind& wind, const std::array<double, 3>& carried, dou
 void WindField::sample(Parallel& parallel, std::span<const Vec4> points, std::span<Vec4> velocities) const {
     parallel.ranges(static_cast<std::uint32_t>(points.size()), [&](const BlockRange& range) {
         HWY_DYNAMIC_DISPATCH(sample_block)(*this, range, points.data(), velocities.data());
-        // What lies behind the last point stays 0.
+        // The padding behind the last point stays 0.
         for (std::uint32_t i = range.end; i % AlignedBuffer<Vec4>::group != 0; ++i) velocities.data()[i] = {};
     });
 }

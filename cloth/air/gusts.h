@@ -20,7 +20,7 @@ class WindField {
     /// smooth for days. `time` [s].
     WindField(const Wind& wind, const std::array<double, 3>& carried, double time);
 
-    /// Velocities of the air at points [m/s], w 0; both in AlignedBuffers.
+    /// Computes velocities of the air at points [m/s], w 0. Both are in AlignedBuffers.
     void sample(Parallel& parallel, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
     /// Lattice values repeat after this many cells, so that coordinates stay small floats however long the

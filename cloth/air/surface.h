@@ -1,5 +1,5 @@
 #pragma once
-// A cloth's triangles: what its normals and the air's forces on it are computed by.
+// A cloth's triangles, laid out for computing its normals and the air's forces on it.
 
 #include <span>
 
@@ -12,36 +12,36 @@
 
 namespace weft {
 
-/// A grid's cells, or any mesh's triangles.
+/// The surface of a cloth: a grid's cells, or any mesh's triangles.
 class Surface {
   public:
     explicit Surface(const ClothModel& model);
-    /// With groups that were read. Of use to be copied alone: what changes has no memory.
+    /// Makes a surface of groups that were read, to be copied only: buffers that change have no memory.
     Surface(const ClothModel& model, TriangleGroups&& saved);
-    /// None of a grid.
+    /// The triangles' groups; empty for a grid.
     [[nodiscard]] const TriangleGroups& groups() const noexcept { return groups_; }
-    /// Whether groups that were read name only what there is.
+    /// Whether groups that were read have valid sizes and indices.
     [[nodiscard]] bool is_sound(std::uint32_t particles) const {
         return !cells_.empty() || groups_.is_sound(particles);
     }
 
-    /// Of particles: means of the triangles' normals, weighted by area; +Y where they cancel out.
+    /// Computes particles' normals: means of triangles' normals, weighted by area; +Y where they cancel out.
     void compute_normals(Parallel& parallel, std::span<const Vec4> positions, std::span<Vec4> normals);
 
-    /// Particles have moved, and their normals with them, but by no call of this.
+    /// Call this when particles and their normals have changed otherwise than through this object.
     void forget() noexcept { is_behind_ = true; }
 
-    /// What the air does to a moving cloth.
+    /// The inputs of air forces on a moving cloth.
     struct InAir {
         const Wind& wind;
         std::span<const Vec4> positions, velocities;
-        /// Of the air at each particle [m/s]; empty where the mean wind blows everywhere.
+        /// The air's velocity at each particle [m/s]; empty: the mean wind blows everywhere.
         std::span<const Vec4> air_velocities;
-        /// Since normals were last computed.
+        /// Whether particles have moved since normals were last computed.
         bool has_moved = true;
     };
-    /// The air's force on each particle [N], and in w its slope [N s/m]: a third of that on each of its
-    /// triangles. The slope is at least the force's largest rate of change with the triangle's velocity.
+    /// Computes the air's force on each particle [N], and in w its slope [N s/m]: a third of that on each of
+    /// its triangles. The slope is at least the force's largest rate of change with the triangle's velocity.
     void compute_air_forces(Parallel& parallel, const InAir& cloth, std::span<Vec4> forces);
 
     [[nodiscard]] std::size_t bytes() const noexcept {
@@ -49,11 +49,11 @@ class Surface {
     }
 
   private:
-    GridCells cells_;        // empty for what is no grid,
-    TriangleGroups groups_;  // which has these
-    /// Of triangles: their area normals, since normals were computed until air forces are.
+    GridCells cells_;        // empty for a general mesh
+    TriangleGroups groups_;  // empty for a grid
+    /// A row for each triangle: its area normal, until air forces overwrite it.
     AlignedBuffer<Vec4> rows_;
-    bool is_behind_ = false;  // those are not of the particles' places
+    bool is_behind_ = false;  // rows_ are not of the present positions
 };
 
 }  // namespace weft

@@ -39,10 +39,10 @@ struct AirOnPlates {
     explicit AirOnPlates(const Wind& wind)
         : drag(wind.drag),
           lift(wind.lift),
-          to_pressure(wind.air_density / 12 / 9),  // of a third of the triangle, by 2 A and twice 3 u
+          to_pressure(wind.air_density / 12 / 9),  // rho A / 6, from 2 A and two factors 3 u
           to_slope(wind.air_density / 6 / 3 * (wind.drag + wind.lift)) {}
 
-    /// A third of the force on triangles, w its slope.
+    /// A third of the force on triangles; w is its slope.
     HWY_INLINE Lanes4 thirds(const Lanes3& normal, const Lanes3& u) const {
         const Lanes through = dot(u, normal), squared_speed = dot(u, u);
         const Lanes squared = hn::Mul(squared_speed, dot(normal, normal));
@@ -105,7 +105,7 @@ void sums_of(const TriangleGroups& groups, const BlockRange& range, const Vec4* 
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // compiled once, not for each instruction set
 namespace weft {
 
 HWY_EXPORT(air_forces_of);

@@ -10,7 +10,8 @@
 
 namespace weft {
 
-/// See Surface. `triangle_rows`: the area normals of the present positions, which are overwritten.
+/// Computes air forces; see Surface. `triangle_rows` has the area normals of the present positions, and is
+/// overwritten.
 void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> velocities,
                         const Wind& wind, std::span<const Vec4> air_velocities, std::span<Vec4> triangle_rows,
                         std::span<Vec4> particle_forces);

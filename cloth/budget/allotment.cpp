@@ -10,13 +10,13 @@ namespace weft {
 
 namespace {
 
-/// Of the time, what is given to who does not have it yet.
+/// Fraction of the time within which cloths get rungs that they do not have yet.
 constexpr float without_reserve = 0.9f;
-/// What a cloth has counts so much more.
+/// Factor on the worth of rungs that a cloth has already (hysteresis).
 constexpr float loyalty = 1.4f;
 
-/// A first step after another rung finds cold memory, and a preempted one costs what it likes: neither says
-/// much.
+/// Limit of a sample over the known cost, and of the inverse. The first step on a rung finds cold memory, and
+/// a preempted step may cost anything.
 constexpr float most_surprise = 2;
 constexpr std::uint32_t samples_to_know = 8;
 
@@ -26,7 +26,7 @@ RungCosts::RungCosts(float guess) {
     for (std::uint32_t r = 0; r < rung_count; ++r) costs_[r] = guess * ladder[r].cost;
 }
 
-// As long as a rung is new it is learnt what that rung costs; later, how the cloth's cost changes on all.
+// While a rung is new its samples set its own cost alone. Later ones also scale the costs of all known rungs.
 void RungCosts::add(std::uint32_t rung, float nanoseconds) {
     float& known = costs_[rung];
     const bool is_first = !known_[rung];
@@ -46,8 +46,8 @@ void RungCosts::add(std::uint32_t rung, float nanoseconds) {
     }
 }
 
-// Robbins and Monro 1951: it comes to rest where one ratio of twenty is beyond it. A step that was stopped by
-// the machine counts no more than any other beyond it.
+// Stochastic approximation of a quantile (Robbins, Monro 1951): steady where one ratio of twenty is beyond
+// it. A step that the machine interrupted counts no more than any other beyond it.
 void Headroom::add(float ratio) noexcept {
     constexpr float up = 0.019f, down = 0.001f, most = 1.5f;
     quantile_ = std::clamp(quantile_ + (ratio > quantile_ ? up : -down), 1.0f, most);
@@ -67,7 +67,7 @@ void Allotment::allot(float time) {
         const Claim& claim = claims_[c];
         reached_.push_back(claim.last);
         spent += claim.costs[claim.last];
-        // What comes after something cannot be bought before it.
+        // A rung cannot be bought before the one below it, so it is worth no more than that one.
         float worth = std::numeric_limits<float>::max();
         for (std::uint32_t from = claim.last; from > claim.first; --from) {
             const std::uint32_t to = from - 1;

@@ -1,6 +1,6 @@
 #pragma once
-// Shares a time out among cloths: each begins on its last rung, and what takes most error away for its time
-// is bought first.
+// Distributes a step's time among cloths. Each begins on its last rung; the rungs that remove the most error
+// for their time are bought first.
 
 #include <array>
 #include <cstdint>
@@ -11,27 +11,27 @@
 
 namespace weft {
 
-/// A cloth to be given time.
+/// A cloth that competes for time.
 struct Claim {
-    float importance = 1;                            ///< of its error; 0: it stays on its last rung
-    std::array<float, rung_count> costs{};           ///< on each rung, in the unit of the time
+    float importance = 1;                            ///< weight of its error; 0: it stays on its last rung
+    std::array<float, rung_count> costs{};           ///< cost on each rung, in the unit of the time
     std::uint32_t first = 0, last = rung_count - 1;  ///< rungs that it may be on
-    std::uint32_t rung = 0;                          ///< where it is; allot() writes where it is to be
+    std::uint32_t rung = 0;                          ///< the present rung; allot() writes the next one
 };
 
 class Allotment {
   public:
-    /// Up to so many claims are met without allocation.
+    /// Allocates for up to so many claims.
     void reserve(std::size_t claims);
     [[nodiscard]] std::vector<Claim>& claims() noexcept { return claims_; }
-    /// Writes each claim's rung. What a cloth has it keeps as long as all fits, and against what is not much
-    /// more worth; what it has not it gets only where some room is left.
+    /// Writes each claim's rung. A cloth keeps its rung as long as all fits, unless another one is worth much
+    /// more. It gets a rung that it does not have only if some time is left then.
     void allot(float time);
-    /// By the claims' costs, of what the last allot() gave.
+    /// Total cost of the rungs that the last allot() gave.
     [[nodiscard]] float spent() const noexcept { return spent_; }
 
   private:
-    /// From a rung to the one before it.
+    /// A purchase: from a rung to the one before it.
     struct Step {
         float worth;  // error taken away per time
         std::uint32_t claim, to;

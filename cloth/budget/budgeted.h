@@ -1,5 +1,5 @@
 #pragma once
-// What a cloth needs in a World with a budget, besides its state.
+// Data of a cloth in a World with a budget, besides its state.
 
 #include <array>
 #include <cstdint>
@@ -12,29 +12,30 @@
 
 namespace weft {
 
-/// What a cloth costs on each rung, as far as it was there.
+/// A cloth's mean cost on each rung: measured where it was on it, else estimated.
 class RungCosts {
   public:
-    /// One that was never stepped is taken to cost this on the first [ns].
+    /// `guess`: cost on the first rung before any step was measured [ns].
     explicit RungCosts(float guess);
-    /// What a step took on a rung; of long ones, the mean of the World's steps through which one went [ns].
+    /// Adds the time of a step on a rung [ns]; of a long step, the mean over the World's steps that it
+    /// covers.
     void add(std::uint32_t rung, float nanoseconds);
-    /// It goes on on another.
+    /// The cloth changed its rung: the new one's samples count from 0.
     void change_rung() noexcept { samples_ = 0; }
     [[nodiscard]] const std::array<float, rung_count>& all() const noexcept { return costs_; }
 
   private:
     std::array<float, rung_count> costs_;
     std::array<bool, rung_count> known_{};
-    std::uint32_t samples_ = 0;  // since the rung changed
+    std::uint32_t samples_ = 0;  // number since the rung changed
 };
 
-/// By how much steps take longer than what is known of their cloths says.
+/// Ratio of a step's time to the known costs of its cloths.
 class Headroom {
   public:
-    /// What cloths may be known to take, so that nineteen of twenty steps take no longer than this.
+    /// Greatest known cost of all cloths with which nineteen of twenty steps take no longer than `time`.
     [[nodiscard]] float within(float time) const noexcept { return time / quantile_; }
-    /// A step took so many times what was known.
+    /// Adds the ratio of a step.
     void add(float ratio) noexcept;
 
   private:
@@ -45,10 +46,10 @@ struct Budgeted {
     explicit Budgeted(const ClothSettings& of, std::uint32_t particles)
         : settings(of), costs(300.0f * static_cast<float>(particles)) {}
 
-    ClothSettings settings;  ///< as the present step takes it
+    ClothSettings settings;  ///< settings of the present step
     RungCosts costs;
-    float spent = 0;          ///< since it last took a step of its own [ns]
-    std::uint32_t steps = 0;  ///< of the World, likewise
+    float spent = 0;          ///< time since the cloth's last step of its own [ns]
+    std::uint32_t steps = 0;  ///< steps of the World since then
 };
 
 struct BudgetBuffers {

@@ -1,6 +1,6 @@
 #pragma once
-// How a cloth can be stepped for less than as it is set, rung by rung. Rungs differ in plain numbers of one
-// solver, so that a change of them takes no memory and prepares nothing.
+// Levels of detail (rungs) on which a cloth costs less than as it is set. Rungs differ in plain numbers of
+// one solver, so that a change takes no memory and prepares nothing.
 
 #include <array>
 #include <cstdint>
@@ -11,25 +11,25 @@
 namespace weft {
 
 struct Rung {
-    int passes;          ///< of Multilevel in steps of rate 1, at most; long steps take all that are set
-    std::uint32_t rate;  ///< steps of the World that one of the cloth is long
-    float cost;          ///< of a step over that of the first rung, until it is measured
-    float error;         ///< of motion, over that of the last rung
+    int passes;          ///< most passes of Multilevel in steps of rate 1; long steps take all that are set
+    std::uint32_t rate;  ///< length of a cloth's step, in steps of the World
+    float cost;          ///< cost over the first rung's, until it is measured
+    float error;         ///< error of the motion over the last rung's
 };
 
 inline constexpr std::uint32_t rung_count = 3;
-/// The first rung is the cloth as it is set.
+/// All rungs; the first is the cloth as it is set.
 extern const std::array<Rung, rung_count> ladder;
 /// The last rung without long steps.
 inline constexpr std::uint32_t last_of_rate_1 = 1;
 inline constexpr std::uint32_t greatest_rate = 2;
 
-/// The rate of a rung; of the last, where there is none of that number.
+/// The rate of a rung; a number beyond the last rung counts as the last.
 [[nodiscard]] std::uint32_t rate_of(std::uint32_t rung) noexcept;
 /// A cloth's method in a step of that rung and rate.
 [[nodiscard]] Method reduced(const Method& method, std::uint32_t rung, std::uint32_t rate);
 
-/// On which rung a step begins to take a cloth.
+/// The rung on which a step begins to take a cloth.
 struct RungOfCloth {
     ClothId cloth;
     std::uint32_t rung = 0;

@@ -7,7 +7,7 @@ namespace weft::c {
 
 namespace {
 
-/// What a shape's lists are copied to where they do not lie behind one another.
+/// Copies of a shape's lists that are not contiguous.
 struct ShapeRoom {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -1,5 +1,5 @@
 #pragma once
-// Values for C into those of C++, and back.
+// Converts values for C to those of C++, and back.
 
 #include <array>
 #include <bit>
@@ -15,7 +15,7 @@
 
 namespace weft::c {
 
-// What has the same bytes as it has for C.
+// Types that have the same bytes in C and C++.
 Vec3 like(WeftVec3);
 Rotation like(WeftRotation);
 Transform like(WeftTransform);
@@ -29,7 +29,7 @@ concept Alike = requires(const C& c) {
     { like(c) } -> std::same_as<Of>;
 };
 
-/// What an enumeration that a host sets is called, and how many it has.
+/// Name of an enumeration that a host sets, and its number of values.
 struct Choices {
     const char* name;
     int count;
@@ -52,7 +52,7 @@ template <class Enum>
     return static_cast<Enum>(value);
 }
 
-/// A way of fields(): for C to C++. Numbers that are no enumerators it keeps for error().
+/// A way for fields() from C to C++. It keeps numbers that are no enumerators for error().
 class ToWeft {
   public:
     template <class C, class Of>
@@ -97,7 +97,7 @@ class ToWeft {
     mutable std::optional<Error> error_;
 };
 
-/// A way of fields(): for C++ to C.
+/// A way for fields() from C++ to C.
 struct ToC {
     template <class C, class Of>
     void operator()(C& c, const Of& of) const {
@@ -142,7 +142,7 @@ template <class Of, class C>
     return of;
 }
 
-/// What a host gave as a struct that may grow. Null: the defaults.
+/// Converts a host's struct that may grow. Null: the defaults.
 template <class Of, class C>
 [[nodiscard]] Result<Of> take(const char* name, const C* from) {
     const Result<C> all = taken(name, from, to_c<C>(Of{}));
@@ -150,7 +150,7 @@ template <class Of, class C>
     return to_weft<Of>(*all);
 }
 
-/// What the library knows into such a struct.
+/// Converts a value into such a struct.
 template <class C, class Of>
 [[nodiscard]] Result<void> hand(const char* name, const Result<Of>& value, C* to) {
     if (!value) return value.error();

@@ -9,7 +9,7 @@ namespace weft::c {
 
 namespace {
 
-/// What lies there, of a type that has the same bytes.
+/// The items at `data` as a type that has the same bytes.
 template <class Of, class C>
 [[nodiscard]] Result<std::span<const Of>> lying(const char* name, const C* data, std::size_t count) {
     static_assert(sizeof(Of) == sizeof(C) && alignof(Of) <= alignof(C));

@@ -6,14 +6,14 @@ namespace weft::c {
 
 namespace {
 
-// A size that is none leaves the struct as it is: the call that it is then given to says so.
+// An invalid size leaves the struct as it is: the call that is given the struct reports it.
 template <class Of, class C>
 void init(C* to, std::size_t size, const Of& of = {}) noexcept {
     if (to == nullptr || size < first_size<C> || size > sizeof(C)) return;
     give(to_c<C>(of), size, to);
 }
 
-/// The default of the kind of that number; of another one that of the first, with the number.
+/// The defaults of the kind of that number; for an unknown number all else is 0.
 template <class C, class... Kinds>
 [[nodiscard]] C of_kind(std::int32_t kind, const std::variant<Kinds...>& /*which*/) noexcept {
     C c{};

@@ -11,7 +11,7 @@ namespace weft::c {
 
 namespace {
 
-/// So long that no message is cut, but those with a long file name.
+/// No message is longer, except those with a long file name.
 constexpr std::size_t most_text = 1024;
 thread_local char text_of_error[most_text] = "";
 

@@ -1,5 +1,5 @@
 #pragma once
-// How the interface for C says what went wrong.
+// Errors of the interface for C.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace weft::c {
 
-/// Keeps the text for weft_error_text(), which takes no memory.
+/// Stores the text for weft_error_text(), without allocating.
 WeftResult fail(ErrorCode code, const char* text) noexcept;
 
-/// Runs act(of); what went wrong is kept.
+/// Runs act(of) and stores its error.
 [[nodiscard]] WeftResult run(Result<void> (*act)(const void*), const void* of) noexcept;
 
 /// Runs `act`, which returns a Result<void>.
@@ -23,7 +23,7 @@ template <class Act>
     return run([](const void* of) -> Result<void> { return (*static_cast<const Act*>(of))(); }, &act);
 }
 
-// The errors' texts are put together out of line: within each call they would take more than the calls do.
+// Error texts are composed out of line: in each call they would take more code than the calls do.
 
 /// "NAME is a null pointer".
 [[nodiscard]] Error null_pointer(const char* name);

@@ -1,8 +1,7 @@
 #pragma once
-// Which struct for C stands for which of C++. Those with the same fields have them from
-// settings/fields.h, in one list for both; of the others each pair is here. fields(way, c, of): a way
-// assigns one of the two to the other. tests/embedding/c/fields_test.cpp fails where a field has no
-// counterpart.
+// Pairs of structs for C and for C++. Pairs with the same fields have one list for both in settings/fields.h;
+// the others' lists are here. fields(way, c, of) lets a way assign one of the two to the other.
+// tests/embedding/c/fields_test.cpp fails where a field has no counterpart.
 
 #include <concepts>
 #include <type_traits>

@@ -1,5 +1,5 @@
 #pragma once
-// What the handles of the interface for C lead to.
+// Objects behind the handles of the interface for C.
 
 #include <filesystem>
 #include <initializer_list>
@@ -13,22 +13,22 @@
 #include "weft/weft_c.h"
 
 struct WeftWorld {
-    // What the World calls, or what its views lead to, outlives it.
+    // Members that the World calls, or that its views refer to, outlive it.
     WeftExecutor executor{};
-    std::unique_ptr<WeftRecordingSink> sink;  ///< of the last recording
+    std::unique_ptr<WeftRecordingSink> sink;  ///< sink of the last recording
     std::string description;
-    std::vector<weft::Vec3> first, second;  ///< inputs that do not lie behind one another
+    std::vector<weft::Vec3> first, second;  ///< copies of inputs that are not contiguous
     std::vector<float> values;
     std::optional<weft::World> world;
 };
 struct WeftMesh {
     weft::Mesh mesh;
-    std::vector<std::uint32_t> from{};  ///< of one that was cut, as in MeshCut
-    std::uint32_t added_particles = 0;  ///< likewise
+    std::vector<std::uint32_t> from{};  ///< MeshCut::from, of a mesh that was cut
+    std::uint32_t added_particles = 0;  ///< MeshCut::added_particles
 };
 struct WeftCutStroke {
     weft::CutStroke stroke;
-    std::vector<weft::MeshEdge> edges;  ///< the last that it gave
+    std::vector<weft::MeshEdge> edges;  ///< the last that were returned
 };
 struct WeftCookedCloth {
     weft::CookedCloth cooked;
@@ -42,7 +42,7 @@ struct WeftFixedStep {
 
 namespace weft::c {
 
-/// Calls act(world), which returns a Result<void>, if that and the other pointers are there.
+/// Calls act(world), which returns a Result<void>, if neither it nor the other pointers are null.
 template <class Handle, class Act>
 [[nodiscard]] WeftResult on(Handle* world,
                             std::initializer_list<std::pair<const void*, const char*>> pointers,
@@ -58,7 +58,7 @@ template <class Handle, class Act>
     return on(world, {}, act);
 }
 
-/// An id, or whatever else has the same bytes for C.
+/// Writes an id, or another value that has the same bytes for C.
 template <class C, class Of>
 [[nodiscard]] Result<void> put(const Result<Of>& value, C* to) {
     if (!value) return value.error();
@@ -73,7 +73,7 @@ template <class Handle, class Of>
     return {};
 }
 
-/// A list of Weft's, as C sees it.
+/// A list of Weft's as an array for C.
 template <class C, class Of>
 [[nodiscard]] const C* list(std::span<const Of> of, std::size_t* count) noexcept {
     static_assert(sizeof(C) == sizeof(Of) && alignof(C) <= alignof(Of));
@@ -81,7 +81,7 @@ template <class C, class Of>
     return of.empty() ? nullptr : reinterpret_cast<const C*>(of.data());
 }
 
-/// UTF-8.
+/// `file` is UTF-8.
 [[nodiscard]] inline std::filesystem::path path_of(const char* file) {
     return reinterpret_cast<const char8_t*>(file);
 }

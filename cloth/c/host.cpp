@@ -1,4 +1,4 @@
-// For C: what a host lends Weft and what it draws with, fabrics by name, and the clock of its loop.
+// For C: hooks, drawn meshes, named fabrics, and the clock of a game loop.
 
 #include "cloth/c/handles.h"
 #include "cloth/c/inputs.h"
@@ -23,7 +23,7 @@ void log_to_host(void* /*user*/, LogLevel level, const char* line) {
     return all;
 }
 
-/// Error: not aligned.
+/// Error: `to` is not aligned to 16 bytes.
 [[nodiscard]] Result<std::span<Vec4>> aligned_vertices(const char* name, WeftVec4* to, std::size_t count) {
     if (to == nullptr) return std::span<Vec4>();
     if (reinterpret_cast<std::uintptr_t>(to) % alignof(Vec4) != 0)

@@ -12,8 +12,8 @@
 
 namespace weft::c {
 
-/// Behind one another as they lie there, or as copies in `room`. Errors: no memory for some items; a stride
-/// that is shorter than one.
+/// The items of `input`, contiguous: in place, or copied to `room`. Errors: items at a null pointer; a stride
+/// that is shorter than an item.
 template <class T>
 [[nodiscard]] Result<std::span<const T>> items(const char* name, const WeftInput& input,
                                                std::vector<T>& room) {
@@ -33,7 +33,7 @@ template <class T>
     return std::span<const T>(room);
 }
 
-/// `values` to where the host has room. Error: not enough of it, or a stride that is shorter than one.
+/// Writes `values` to the host's memory. Error: too little room, or a stride that is shorter than an item.
 template <class T>
 [[nodiscard]] Result<void> write(const char* name, std::span<const T> values, const WeftStream& to) {
     if (values.empty()) return {};
@@ -49,7 +49,7 @@ template <class T>
     return {};
 }
 
-/// Indices of vertices.
+/// The host's indices of vertices.
 [[nodiscard]] inline Result<std::span<const std::uint32_t>> indices(const uint32_t* vertices,
                                                                     std::size_t count) {
     if (vertices == nullptr && count > 0) return no_items("vertices", count);

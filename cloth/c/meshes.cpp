@@ -5,7 +5,7 @@
 
 namespace weft::c {
 
-// The first version ended before it.
+// The first version of the struct ended before crossing_faces.
 template <>
 inline constexpr std::size_t first_size<WeftObjReport> = offsetof(WeftObjReport, crossing_faces);
 
@@ -133,7 +133,7 @@ WeftResult weft_cooked_cloth_load(const void* saved, size_t bytes, const WeftClo
 
 namespace {
 
-/// Gives a lender's bytes back as it goes, if the loading took them.
+/// Gives a lender's bytes back when it is destroyed, if the load succeeded.
 struct Loan {
     WeftLender lender{};
     bool taken = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Structs that begin with struct_size, between a host and a library of which either may be the newer one.
+// Structs that begin with struct_size, exchanged by a host and a library of which either may be newer.
 
 #include <algorithm>
 #include <cstddef>
@@ -11,12 +11,11 @@
 
 namespace weft::c {
 
-/// What the struct had in the first version: no host has less of it. A struct that grows says here how long
-/// it was.
+/// Size of the struct in the first version, the least that a host has. A struct that grows specialises it.
 template <class Sized>
 inline constexpr std::size_t first_size = sizeof(Sized);
 
-/// Error: `size` is neither `first` nor `known`, nor between them.
+/// Error: `size` is not in [first, known].
 [[nodiscard]] Result<void> check_size(const char* name, std::size_t size, std::size_t first,
                                       std::size_t known);
 
@@ -26,14 +25,14 @@ template <class Sized>
     return check_size(name, size, first_size<Sized>, sizeof(Sized));
 }
 
-/// As much of `value` as the host knows. Precondition: check_size() has no error.
+/// Writes as much of `value` as the host's version has. Precondition: check_size() has no error.
 template <class Sized>
 void give(Sized value, std::size_t size, Sized* to) noexcept {
     value.struct_size = static_cast<std::uint32_t>(size);
     std::memcpy(to, &value, std::min(size, sizeof value));
 }
 
-/// `value` into what the host gave. Error: null, or a size that is none.
+/// Writes `value` to the host's struct. Error: null, or an invalid size.
 template <class Sized>
 [[nodiscard]] Result<void> fill(const char* name, const Sized& value, Sized* to) {
     if (to == nullptr) return null_pointer(name);
@@ -42,7 +41,7 @@ template <class Sized>
     return {};
 }
 
-/// What the host gave, and of what it does not know the defaults. Null: these alone.
+/// The host's struct, with the defaults of fields that its version lacks. Null: all defaults.
 template <class Sized>
 [[nodiscard]] Result<Sized> taken(const char* name, const Sized* from, Sized defaults) {
     if (from == nullptr) return defaults;

@@ -13,8 +13,8 @@ void run_by_host(void* user, std::uint32_t block_count, Executor::Body body, voi
     host.run(host.user, block_count, body, context);
 }
 
-/// Settings for a World of this handle, and the host's executor, which is that of the handle once they are
-/// taken.
+/// Settings for a World of this handle, and the host's executor, which the handle stores once they are
+/// accepted.
 struct TakenSettings {
     WorldSettings settings;
     WeftExecutor executor;
@@ -47,7 +47,7 @@ struct TakenSettings {
     return fill("replay", all, to);
 }
 
-/// Before anything is done.
+/// Checks the struct for a result, before anything is done.
 template <class Sized>
 [[nodiscard]] Result<void> has_room(const char* name, const Sized* to) {
     if (auto there = are_there({{to, name}}); !there) return there;
@@ -91,7 +91,7 @@ WeftResult weft_world_set_settings(WeftWorld* world, const WeftWorldSettings* se
     return on(world, [&](weft::World& of) -> weft::Result<void> {
         const auto given = take_settings(settings, *world);
         if (!given) return given.error();
-        // A call that is refused since a step is under way must not touch what that reads.
+        // A call that is refused during a step must not change the executor, which the step reads.
         auto done = of.set_settings(given->settings);
         if (done) world->executor = given->executor;
         return done;

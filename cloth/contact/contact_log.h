@@ -1,5 +1,5 @@
 #pragma once
-// The contacts of a step that a World reports: the strongest of all, however threads shared them out.
+// The contacts of a step that a World reports: the strongest ones, whichever thread found them.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace weft {
 
-/// The strongest contacts of those added, as many as there is room for. Of equally strong ones those of the
-/// lower order stay, so what is kept does not depend on which came first.
+/// Keeps the strongest contacts of those added, as many as there is room for. Of equally strong contacts the
+/// lower order stays, so the result does not depend on the order of insertion.
 class ContactLog {
   public:
     struct Entry {
         Contact contact;
-        float strength;       // length of its impulse [N s]
+        float strength;       // length of the contact's impulse [N s]
         std::uint64_t order;  // different for each contact of a step
     };
 
@@ -24,7 +24,7 @@ class ContactLog {
     explicit ContactLog(std::size_t room) : room_(room) { entries_.reserve(room); }
     void clear() noexcept { entries_.clear(); }
 
-    /// Whether one of this strength could stay: what need not be made to be refused.
+    /// Whether add() could keep a contact of this strength; if not, the caller need not make it.
     [[nodiscard]] bool wants(float strength) const noexcept {
         return entries_.size() < room_ || (room_ > 0 && strength >= entries_.front().strength);
     }
@@ -33,10 +33,10 @@ class ContactLog {
 
   private:
     std::size_t room_ = 0;
-    std::vector<Entry> entries_;  // once it is full, a heap, the weakest on top
+    std::vector<Entry> entries_;  // a heap once full, the weakest contact on top
 };
 
-/// A log for each thread, and what came of them.
+/// A log for each thread, and the list that is gathered from all logs.
 class ContactReports {
   public:
     ContactReports() = default;
@@ -44,7 +44,7 @@ class ContactReports {
 
     void clear() noexcept;
     [[nodiscard]] ContactLog& of_thread(std::size_t thread) noexcept { return logs_[thread]; }
-    /// Makes the list, in ascending order, of those that keep(contact) says.
+    /// Makes the list of the contacts for which keep(contact) is true, in ascending order.
     template <class Keep>
     void gather(const Keep& keep) noexcept {
         for (std::size_t thread = 1; thread < logs_.size(); ++thread)

@@ -9,8 +9,8 @@ namespace weft {
 
 namespace {
 
-// Features that start nearer than the radius are pushed out by this part of what is missing, and not at once:
-// the way out becomes speed, with which they would bounce.
+// Fraction of the missing gap by which features that start nearer than the radius are pushed apart. The push
+// becomes velocity, so the whole of it at once would make them bounce.
 constexpr float parted_in_a_step = 0.2f;
 
 // Room for crossings: one a particle, and at least so many.
@@ -25,7 +25,7 @@ bool is_within(const Vector3& point, const Bounds& box) {
     return (point.array() >= lower.array()).all() && (point.array() <= upper.array()).all();
 }
 
-/// The largest part of the way from the start, which is in the box, that ends in it.
+/// The largest fraction of `way` that ends in the box. Precondition: the start is in it.
 float part_within(const Bounds& box, const Vector3& start, const Vector3& way) {
     const Vector3 lower = to_vector(box.lower), upper = to_vector(box.upper);
     float part = 1;
@@ -77,7 +77,7 @@ void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bod
     if (scratch.has_memory()) number_bodies();
 }
 
-/// Numbers the bodies' particles, and puts the numbers between two bodies at 0, since kernels read them.
+/// Numbers the bodies' particles, and zeroes the padding behind each body, which kernels read.
 void FeatureContact::number_bodies() {
     std::uint32_t first = 0;
     for (std::size_t k = 0; k < cloths_.size(); ++k) {
@@ -93,7 +93,7 @@ void FeatureContact::number_bodies() {
     }
 }
 
-/// Clears what particles remember of tangles, unless some body has recalled its own.
+/// Clears the tangle memory, unless some body has recalled its own.
 void FeatureContact::remember_nothing() {
     if (!std::exchange(may_cross_, true)) std::ranges::fill(memory_.span(), TangleMemory{});
 }
@@ -126,14 +126,14 @@ void FeatureContact::find_tangles(Parallel& parallel) {
     tangles_.find({bodies_.span(), start_.span(), pairs_, h_}, crossings_, memory_.span());
 }
 
-/// Which pairs of those found last are let alone; empty: none.
+/// Marks the pairs of the list that contact leaves alone; empty: none.
 std::span<const std::uint8_t> FeatureContact::find_exempt(Parallel& parallel) {
     if (!tangles_.any()) return {};
     tangles_.exempt(parallel, pairs_, exempt_.span());
     return exempt_.span();
 }
 
-// A list's ends tell of most pairs, which are far along the cloth, that they are not in it.
+// Lists are ascending: their first and last entries reject most pairs, which are far apart along the cloth.
 bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const {
     const std::size_t body = bodies_.size() == 1 ? 0 : body_of(bodies_.span(), pair.corners[0]);
     const std::uint32_t first = bodies_[body].first;
@@ -151,8 +151,8 @@ bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t cor
     return false;
 }
 
-// Where two edges are nearest at an end of one, a vertex and a triangle are as near there, and have the
-// force.
+// A pair of edges whose closest point is an end of one gets no force: a vertex and a triangle are as near
+// there, and have it.
 void FeatureContact::make_laws(Parallel& parallel) {
     const bool is_alone = bodies_.size() == 1;
     const std::span<const std::uint8_t> exempt = find_exempt(parallel);
@@ -178,8 +178,8 @@ void FeatureContact::make_laws(Parallel& parallel) {
     leave_borders_to_faces();
 }
 
-// Where layers are pressed together, a vertex is near the borders around the face that it is over, too. Along
-// these it would be pushed aside, and what lands would stop sliding.
+// Where layers are pressed together, a vertex is near the borders of the face below it, too. These pairs
+// would push it sideways, and stop cloth that lands and slides; so they get no force.
 void FeatureContact::leave_borders_to_faces() {
     constexpr std::uint32_t none = ~0u;
     constexpr float leans = 0.95f;  // cosine of the angle between the two normals

@@ -1,6 +1,6 @@
 #pragma once
-// Contact between features, through one substep of one cloth or of a group: what is near what, its rows in
-// the equation, and at the end the motion that lets nothing through.
+// Contact between features through one substep of a cloth or a group: detection of near pairs, their rows in
+// the equation, and at the end the cut of the motion, so that nothing crosses anew.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,16 +18,16 @@
 
 namespace weft {
 
-/// A cloth as a body in contact: what of it does not change from step to step.
+/// A cloth as a body in contact: the data that is constant from step to step.
 struct ContactCloth {
     const ContactMesh* mesh = nullptr;
-    RestFilter near_at_rest = {};  ///< particles that no force is to part
-    float radius = 0;    ///< features of two bodies nearer than the mean of theirs are pushed apart [m]
-    float floor = 0;     ///< features are never let nearer than the least of all bodies' [m]
+    RestFilter near_at_rest = {};  ///< particles near each other at rest: no contact force acts between them
+    float radius = 0;    ///< contact radius; features of two bodies nearer than the mean of both repel [m]
+    float floor = 0;     ///< least gap; the least of all bodies' bounds every pair's gap [m]
     float friction = 0;  ///< Coulomb coefficient; two bodies have the geometric mean of theirs
     std::uint32_t layer = 1, mask = ~0u;
-    bool by_zones = false;  ///< its collisions are resolved by impact zones, where nothing else is near
-    float restitution = 0;  ///< of these
+    bool by_zones = false;  ///< impact zones resolve its collisions, if all bodies of the group have this
+    float restitution = 0;  ///< of collisions in impact zones
 };
 
 /// Predicted motion for detection: h v. Gravity is left out: it is common to everything that falls.
@@ -36,81 +36,81 @@ struct ExpectedMotion {
     float h = 0;  ///< [s]
 };
 
-/// What came of a substep.
+/// Statistics of a substep.
 struct FeatureCounts {
-    std::uint32_t pairs = 0;       ///< of features, for which the equation has a row
-    std::uint32_t truncated = 0;   ///< particles that went less far than was solved for
-    TangleCounts tangles = {};     ///< what crossed at the start
-    bool overflowed = false;       ///< there was no room for all pairs: nothing moved but in common
-    std::uint64_t unresolved = 0;  ///< by zones: pairs that still collide; one more where the list was full
+    std::uint32_t pairs = 0;       ///< detected pairs of features; with zones, pairs that collide
+    std::uint32_t truncated = 0;   ///< particles whose motion was cut
+    TangleCounts tangles = {};     ///< crossings at the start
+    bool overflowed = false;       ///< a pair list was full; in the cut at most the common motion remains
+    std::uint64_t unresolved = 0;  ///< pairs that zones leave colliding; one more where the list was full
     bool crossed = false;          ///< see crosses_anew()
 };
 
-/// Whether each substep looks for what must never be: it takes as long as a search.
+/// Whether each substep checks that nothing crosses anew; the check takes as long as a search.
 #ifdef NDEBUG
 inline constexpr bool looks_for_new_crossings = false;
 #else
 inline constexpr bool looks_for_new_crossings = true;
 #endif
 
-/// Its particles are numbered through all bodies, each body from a multiple of 16 on. All its memory is
-/// scratch: it is made anew in each part of a substep, and what it takes of a group is never more than what
-/// the group's cloths would take each alone.
+/// Particles are numbered through all bodies, each body from a multiple of 16 on. All memory is scratch, laid
+/// out anew in each part of a substep. A group takes no more of it than its cloths together would take alone.
 class FeatureContact {
   public:
-    /// Pairs that there is room for, per particle and at least.
+    /// Capacity of the pair list: per particle, and at least.
     static constexpr std::size_t pairs_per_particle = 16, least_pairs = 4096;
     [[nodiscard]] static std::size_t room_for_pairs(std::size_t particles) {
         return std::max(least_pairs, pairs_per_particle * particles);
     }
 
-    /// How many numbers a body's particles take, since each body begins at a whole group.
+    /// Particle numbers that a body takes: its particles, padded to whole groups.
     [[nodiscard]] static std::uint32_t particles_of(const ContactMesh& mesh) noexcept {
         constexpr std::uint32_t group = 16;  // whole groups of a system's rows
         return (mesh.particles() + group - 1) / group * group;
     }
 
-    /// Lays a substep's arrays out, of these bodies, which must outlive it. `zones` resolves them if all are
-    /// by zones; only then it may not be null, unless nothing but the size is asked for.
+    /// Lays out a substep's arrays for these bodies, which must outlive it. `zones` resolves collisions if
+    /// all bodies are by zones; it may be null otherwise, and while the layout is only measured.
     void lay_out(Scratch& scratch, std::span<const ContactCloth> bodies, ImpactZones* zones);
 
-    /// Places a body, with the way that it is expected to go.
+    /// Sets a body's positions at the start, and the motion that is expected of it.
     void place(Parallel& parallel, std::size_t body, std::span<const Vec4> positions,
                const ExpectedMotion& expected);
-    /// Of a body that may cross something: what it remembers of what it crosses. Without it nothing is looked
-    /// for that crosses.
+    /// Hands in the tangle memory of a body that may cross something. Crossings are searched for only then,
+    /// or after detect() has moved touching surfaces apart.
     void recall(std::size_t body, std::span<const TangleMemory> memory);
-    /// Finds what is near what. `is_crowd` says whether more is near than there is room for: before, as the
-    /// last search found, which only spares one; after, as this one did.
+    /// Finds the pairs within the contact radius. `is_crowd`: more pairs are near than there is room for. In:
+    /// as the last search found, which only saves a search; out: as this one found.
     void detect(Parallel& parallel, bool& is_crowd);
-    /// Whether what was there at the start may cross something at the end; then what bodies are to remember.
+    /// Whether features may cross at the end, after crossings at the start or by rounding. If so, memory() is
+    /// the tangle memory that bodies keep.
     [[nodiscard]] bool may_cross() const noexcept { return tangles_.any() || is_uncertain_; }
     [[nodiscard]] std::span<const TangleMemory> memory(std::size_t body);
     [[nodiscard]] std::uint32_t first(std::size_t body) const { return bodies_[body].first; }
 
-    /// The bodies' bases in the equation; then the rows.
+    /// Sets a body's base positions in the equation; make_rows() comes after all bodies' bases.
     void set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions);
-    /// Of one that is where it will be.
+    /// Sets the base of a body that is not in the equation: its particles get inverse mass 0.
     void set_fixed_base(Parallel& parallel, std::size_t body, std::span<const Vec4> positions);
     void make_rows(Parallel& parallel, float gamma);
     [[nodiscard]] PairRows& rows() noexcept { return rows_; }
 
-    /// The end of a part of a substep, in this order: takes over where the bodies have come to; pushes apart
-    /// what is still too near; shortens the way of particles that would leave a box, in which they start;
-    /// cuts the motion so that nothing passes through; hands the places back, with the velocities that
-    /// follow. `is_pushed`: colliders touched some of it.
+    /// The end of a part of a substep, in this order: arrive() takes the solved positions; project() pushes
+    /// apart pairs that are still too near; keep_within() shortens motions that would leave a box, in which
+    /// they start; cut() cuts the motion so that nothing crosses anew; hand_back() returns positions and the
+    /// velocities that follow. `is_pushed`: colliders or worn limits touched some body.
     void arrive(Parallel& parallel, std::size_t body, std::span<const Vec4> positions);
     void project(Parallel& parallel);
-    /// Whether some of a body is outside of a box at the end.
+    /// Whether any particle of a body ends outside a box.
     [[nodiscard]] bool leaves(Parallel& parallel, std::size_t body, const Bounds& box);
     void keep_within(Parallel& parallel, std::size_t body, const Bounds& box);
     FeatureCounts cut(Parallel& parallel, bool is_pushed);
-    /// The same again, from the motion that was cut last: what is cut stands still, and goes with no common
-    /// motion.
+    /// Repeats the last cut without a common motion: a particle that is cut goes a fraction of its own
+    /// motion, and does not follow the group.
     FeatureCounts cut_without_common(Parallel& parallel, bool is_pushed);
-    /// Starts from where the last cut ended, for what it took of the motion: a cut lets each pair move along
-    /// one plane, that of its start, and what turns meanwhile stops before it would have to. Counts what is
-    /// still missing.
+    /// Cuts once more, from where the last cut ended, the motion that it took away. A cut separates each pair
+    /// by one plane, that of its start, so pairs that turn stop earlier than they must. The counts are of the
+    /// motion that is still missing.
     FeatureCounts go_on(Parallel& parallel, bool is_pushed);
     [[nodiscard]] bool had_common() const noexcept {
         return settler_.common().kind != CommonMotionKind::none;
@@ -125,13 +125,13 @@ class FeatureContact {
     [[nodiscard]] std::span<const Vec4> starts(std::size_t body) const {
         return start_.span().subspan(ranges_[body].first, ranges_[body].count);
     }
-    /// After that, whether anything crosses, where nothing did at the start.
+    /// After the cut: whether features cross, although none could at the start.
     [[nodiscard]] bool crosses_anew(Parallel& parallel);
     void hand_back(Parallel& parallel, std::size_t body, float h, std::span<Vec4> positions,
                    std::span<Vec4> velocities) const;
 
-    /// Whether all bodies are resolved by impact zones: then they are placed, arrive and are cut, and nothing
-    /// else but kept within boxes.
+    /// Whether impact zones resolve all bodies. There is then no detect(), no project(), and there are no
+    /// rows.
     [[nodiscard]] bool uses_zones() const noexcept { return uses_zones_; }
 
   private:
@@ -143,7 +143,7 @@ class FeatureContact {
     bool part_touching(Parallel& parallel);
     [[nodiscard]] std::span<const std::uint8_t> find_exempt(Parallel& parallel);
     [[nodiscard]] bool are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const;
-    /// How far a search looks.
+    /// Search radius: one of the lengths of each cloth, and a factor for pairs at borders.
     struct Reach {
         float ContactCloth::*of_cloth;
         float of_borders = 1;  ///< see PairFinder::find
@@ -164,19 +164,19 @@ class FeatureContact {
     void find_for_zones(Parallel& parallel);
     [[nodiscard]] std::span<const std::uint32_t> find_colliding_pairs();
     void part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding);
-    /// From the motion that was searched for to the one that is to be cut.
+    /// Difference between the motion that was searched for and the motion to be cut.
     struct Change {
         float longest = 0;           ///< of the motions that are to be cut [m]; infinite if one is not finite
-        std::uint32_t unlisted = 0;  ///< particles that PairFinder::is_unlisted
+        std::uint32_t unlisted = 0;  ///< particles with the mark PairFinder::is_unlisted
         std::uint32_t marked = 0;    ///< particles with any mark
     };
     [[nodiscard]] Change change_of_motion(Parallel& parallel, float reach);
     [[nodiscard]] BodyGroup group() const { return {ranges_.span(), start_.span()}; }
 
-    /// Share of the radius that features have which are nearest at a border: mostly others beside them are
-    /// nearer, and have the force. They are three in four.
+    /// Fraction of the radius for pairs whose closest points are at a border, three pairs in four. Features
+    /// beside these are mostly nearer, and have the force.
     static constexpr float of_borders = 0.5f;
-    /// What the solver leaves of overlap is projected to this part of the radius before motion is cut.
+    /// Fraction of the radius to which pairs that the solver left too near are projected before the cut.
     static constexpr float projected_gap = 0.5f;
     static constexpr std::uint32_t projections = 4;
 
@@ -191,21 +191,21 @@ class FeatureContact {
     PairFinder finder_;
     PairNarrowing narrowing_;
     PairList pairs_;
-    FeatureCounts near_;         // what of it was detected
-    bool has_all_near_ = false;  // pairs_ has all within the radius, over the motions in searched_
+    FeatureCounts near_;         // counts of detection
+    bool has_all_near_ = false;  // pairs_ is complete within the radius, for the motions in searched_
     PairRows rows_;
     Settler settler_;
     CrossingList crossings_;
     Tangles tangles_;
-    ScratchArray<TangleMemory> memory_;  // only if may_cross_; all 0 where no body has recalled its own
+    ScratchArray<TangleMemory> memory_;  // valid if may_cross_; 0 for bodies that recalled none
     ScratchArray<std::uint8_t> exempt_;  // by pair
     bool may_cross_ = false;
     bool is_uncertain_ = false;  // rounding may have made features cross
-    bool is_pinned_ = false;     // some particle is
+    bool is_pinned_ = false;     // some particle is pinned
     float h_ = 0;
     ScratchArray<PairLaw> laws_;
     ScratchArray<float> wanted_;
-    ScratchArray<std::uint32_t> nearest_faces_;  // of vertices: the pair with the triangle that they are over
+    ScratchArray<std::uint32_t> nearest_faces_;  // by vertex: its pair with the triangle below it
     ScratchArray<Vec4> start_, displacements_, base_;
     ScratchArray<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
     ScratchArray<float> partials_;  // by block

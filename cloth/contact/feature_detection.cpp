@@ -1,4 +1,4 @@
-// What is near what, at a substep's start and for the motion that is to be cut at its end.
+// Detection of near pairs, at a substep's start and for the motion that is to be cut at its end.
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace weft {
 
 namespace {
 
-constexpr int most_tries = 4;  // to make room in the list for a shorter motion's pairs
+constexpr int most_tries = 4;  // times that a motion is shortened, so that its pairs fit into the list
 
-/// Shortens displacements, but for the common motion.
+/// Shortens displacements relative to the common motion.
 void shorten(Parallel& parallel, std::span<const ParticleRange> ranges, const CommonMotion& common,
              std::span<const Vec4> starts, std::span<Vec4> displacements) {
     constexpr float shorter = 0.25f;
@@ -53,9 +53,9 @@ void FeatureContact::turn_normals(Parallel& parallel, std::span<const Vec4> moti
     turn(false, pairs_.vertex_triangle, pairs_.size);
 }
 
-// No more than the rigid motion is taken out: a common motion that brings layers together, which keeps them
-// from meeting but not from coming within the radius, would hide them until they are too near. A turn brings
-// nothing nearer, and a garment that turns has ten times as many pairs with it.
+// Only the rigid common motion is taken out. An affine one can bring layers within the radius, though not
+// into contact, and taking it out would hide their pairs until they are too near. A rotation brings nothing
+// nearer; left in, it gives a turning garment ten times as many pairs.
 void FeatureContact::detect(Parallel& parallel, bool& is_crowd) {
     settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::rigid);
     find_near(parallel, is_crowd);
@@ -64,9 +64,9 @@ void FeatureContact::detect(Parallel& parallel, bool& is_crowd) {
     make_laws(parallel);
 }
 
-// Where too much comes near on the way, the list has what is near now. In a crowd that alone is too much, and
-// so it mostly is again in the next substep. What is near now is near on the way, too: of a crowd that is
-// searched first, and there the list is the same.
+// If the expected motion overflows the list, the list holds the pairs that are near without motion. In a
+// crowd these alone overflow it, and mostly do so again in the next substep. They are near with the motion,
+// too: so a crowd is searched without motion first, which spares the other search and gives the same list.
 void FeatureContact::find_near(Parallel& parallel, bool& is_crowd) {
     const auto search = [&](FullList full) {
         find(parallel, searched_.span(), {&ContactCloth::radius, of_borders}, full);
@@ -88,10 +88,10 @@ void FeatureContact::find_near(Parallel& parallel, bool& is_crowd) {
     if (pairs_.overflowed) search_standing();
 }
 
-/// Surfaces at exactly one place begin the substep a hair apart instead. Returns whether any did.
+/// Moves surfaces that coincide apart by `hair` floors at the substep's start. Returns whether any moved.
 bool FeatureContact::part_touching(Parallel& parallel) {
-    constexpr int most_layers = 16;  // others are parted in the next substep
-    constexpr float hair = 2;        // floors: searches within the floor find no more of what is apart
+    constexpr int most_layers = 16;  // further layers are moved apart in the next substep
+    constexpr float hair = 2;        // [floors]: a search within one floor does not find them again
     float floor = 0;
     for (const ContactCloth& cloth : cloths_) floor = std::max(floor, cloth.floor);
     bool any = false;
@@ -100,12 +100,12 @@ bool FeatureContact::part_touching(Parallel& parallel) {
         any = true;
         find(parallel, {}, {&ContactCloth::floor}, FullList::has_the_first);
     }
-    if (any) remember_nothing();  // a mesh may be folded into itself
+    if (any) remember_nothing();  // crossings are looked for: a mesh may be folded into itself
     return any;
 }
 
-/// Marks particles whose motion ends farther from the way that was searched than the search looked round it
-/// (see PairNarrowing), and those that end as far from its end (see PairFinder::find_more).
+/// Marks particles that end beyond the search's margin round the searched path (see PairNarrowing), and
+/// particles that end beyond its margin round the searched end (see PairFinder::find_more).
 FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, float reach) {
     constexpr float with_rounding = 0.49f, infinity = std::numeric_limits<float>::infinity();
     const auto find_block = [&](const BlockRange& range) {
@@ -133,12 +133,12 @@ FeatureContact::Change FeatureContact::change_of_motion(Parallel& parallel, floa
     return reduce_ranges(parallel, ranges_.span(), changes_.span(), Change{}, find_block, add);
 }
 
-// Where cloth goes about as expected, what is near enough to be cut was found when the substep began. Where
-// some of it does not, that is searched once more.
+// Where cloth moves about as expected, the list of the substep's start has all pairs that the cut needs.
+// Pairs of the particles that move otherwise are searched for once more.
 void FeatureContact::find_for_cut(Parallel& parallel) {
-    constexpr std::uint32_t few = 8;  // of so many particles one
+    constexpr std::uint32_t few = 8;  // one particle in so many may be unlisted
     if (std::exchange(has_all_near_, false)) {
-        settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::rigid);  // as that search
+        settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::rigid);  // as detect() did
         float reach = 0;
         for (const ContactCloth& cloth : cloths_) reach = std::max(reach, cloth.floor);
         const Change change = change_of_motion(parallel, reach);
@@ -165,8 +165,8 @@ void FeatureContact::find_of_motion(Parallel& parallel) {
     turn_normals(parallel, settler_.relative());
 }
 
-// A full stop would leave cloth that is drawn out wanting the same motion in the next step, and never let it
-// come home.
+// The motion is shortened, not stopped: after a full stop overstretched cloth would want the same motion in
+// every step, and never contract.
 void FeatureContact::find_for_part_of_way(Parallel& parallel) {
     find_for_cut(parallel);
     for (int k = 0; pairs_.overflowed && k < most_tries; ++k) {
@@ -187,7 +187,7 @@ FeatureCounts FeatureContact::cut(Parallel& parallel, bool is_pushed) {
         const bool was_full = pairs_.overflowed;
         result = cut_listed(parallel, is_pushed);
         if (was_full || !pairs_.overflowed || k == most_tries) break;
-        // The list became full with what was opened: a shorter motion has room here, too.
+        // Pairs of opened neighbours filled the list: a shorter motion has fewer.
         for (const ParticleRange& range : ranges_.span())
             std::copy_n(searched_.data() + range.first, range.count, displacements_.data() + range.first);
         shorten(parallel, ranges_.span(), is_pinned_ ? CommonMotion{} : settler_.common(), start_.span(),
@@ -245,8 +245,8 @@ SettleResult FeatureContact::cut_listed(Parallel& parallel, bool is_pushed) {
     }
 }
 
-/// Adds the pairs of neighbours that were passed over, since they stay apart if all particles go the same
-/// part of their motions, and may not stay apart once some particles are cut. Returns whether there are such.
+/// Adds pairs of neighbouring patches that the search passed over. They stay apart if all particles go the
+/// same fraction of their motions, but perhaps not once some are cut. Returns whether there are any.
 bool FeatureContact::find_opened(Parallel& parallel) {
     if (!finder_.has_charts()) return false;
     set_reach(&ContactCloth::floor);
@@ -270,7 +270,7 @@ FeatureCounts FeatureContact::counts_of(Parallel& parallel, const SettleResult& 
             .overflowed = near_.overflowed || result.list_was_incomplete};
 }
 
-// Rounding can take the gap of a pair that is not listed, even where all move alike.
+// The last resort: rounding can close the gap of an unlisted pair, even if all particles move alike.
 FeatureCounts FeatureContact::stand_still() {
     FeatureCounts counts = near_;
     counts.overflowed = true;

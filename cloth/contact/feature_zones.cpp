@@ -9,7 +9,7 @@ namespace weft {
 
 namespace {
 
-// What moves by less than this part of the gap in a substep counts as still.
+// Motion in a substep below this fraction of the gap counts as rest.
 constexpr float still_per_gap = 1e-3f;
 
 float least_radius(std::span<const ContactCloth> cloths) {
@@ -18,13 +18,13 @@ float least_radius(std::span<const ContactCloth> cloths) {
 
 }  // namespace
 
-/// All that the motion can bring near. A turn brings nothing nearer, and is left out.
+/// Finds the pairs that the motion can bring near. Its rigid part brings nothing nearer, and is left out.
 void FeatureContact::find_for_zones(Parallel& parallel) {
     settler_.split(parallel, group(), displacements_.span(), CommonMotionKind::rigid);
     find(parallel, settler_.relative(), {&ContactCloth::radius, of_borders}, FullList::has_the_first);
 }
 
-/// Of what was found, pairs that the motion brings too near, but for what is near at rest.
+/// Listed pairs that the motion brings too near, except those that are near at rest.
 std::span<const std::uint32_t> FeatureContact::find_colliding_pairs() {
     const float gap = projected_gap * least_radius(cloths_);
     const std::uint32_t count = find_colliding(pairs_, start_.span(), displacements_.span(), gap,
@@ -35,7 +35,7 @@ std::span<const std::uint32_t> FeatureContact::find_colliding_pairs() {
     return all.first(all.size() - kept.size());
 }
 
-/// Momentum is passed on pair by pair, where these are in their triangles.
+/// Projects the colliding pairs apart by impulses at their closest points.
 void FeatureContact::part_colliding(Parallel& parallel, std::span<const std::uint32_t> colliding) {
     const float radius = least_radius(cloths_);
     std::fill_n(wanted_.data(), pairs_.size, -std::numeric_limits<float>::infinity());
@@ -45,10 +45,10 @@ void FeatureContact::part_colliding(Parallel& parallel, std::span<const std::uin
                      displacements_.span());
 }
 
-// Rounds find what the ones before newly brought together (Huh, Metaxas, Badler 2001, section 3.4), among
-// what was found for the motion before any; then once more for the motion after them. The very first round
-// gives clusters their change of velocity, so that cloth goes on bending in them; all others move them as
-// bundles.
+// Each round resolves the pairs that earlier rounds newly brought together (Huh, Metaxas, Badler 2001,
+// section 3.4), among the pairs found before the first round. A second search finds those of the resulting
+// motion. The very first round adds a cluster's velocity change to its particles, so that cloth goes on
+// bending within it; all others move clusters as bundles.
 FeatureCounts FeatureContact::settle_by_zones(Parallel& parallel) {
     constexpr int searches = 2, rounds = 3;
     const double still = static_cast<double>(still_per_gap * projected_gap * least_radius(cloths_));

@@ -1,6 +1,6 @@
 #pragma once
-// Groups: the cloths that are solved together in a substep, since they may touch or share a body, directly
-// or by way of others.
+// Groups: cloths that are solved together in a substep, because they may touch or share a body, directly or
+// through other cloths.
 
 #include <algorithm>
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace weft {
 
 class GroupFinder {
   public:
-    /// Up to so many cloths are looked at without allocation.
+    /// Reserves memory, so that searches of up to `cloths` cloths allocate none.
     void reserve(std::size_t cloths);
 
-    /// Finds the groups of boxes; an empty box touches none. may_touch(i, j), i < j, says whether a pair
-    /// counts, and is asked of pairs whose boxes overlap. Sort and sweep along x (Baraff 1992, "Dynamic
-    /// simulation of non-penetrating rigid bodies").
+    /// Finds the connected components of overlapping boxes; an empty box overlaps none. may_touch(i, j),
+    /// i < j, is asked of pairs whose boxes overlap, and says whether the pair counts. Sort and sweep along x
+    /// (Baraff 1992, "Dynamic simulation of non-penetrating rigid bodies").
     template <class MayTouch>
     void find(std::span<const Bounds> boxes, const MayTouch& may_touch) {
         begin(boxes.size());
@@ -35,14 +35,14 @@ class GroupFinder {
         end();
     }
 
-    /// In place of find(): begin, pairs of cloths that are in one group, end.
+    /// Replace find() where the pairs are known: begin(), join() for each pair of one group, end().
     void begin(std::size_t cloths);
     void join(std::uint32_t i, std::uint32_t j);
     void end();
-    /// Joins the groups that `first_of` has of the same cloths to those that were found.
+    /// Merges other groups of the same cloths, as first_of() returns them, with the groups that were found.
     void join(std::span<const std::uint32_t> first_of);
 
-    /// Of each cloth, the first cloth of its group.
+    /// For each cloth, the first cloth of its group.
     [[nodiscard]] std::span<const std::uint32_t> first_of() const { return parents_; }
 
   private:
@@ -53,8 +53,8 @@ class GroupFinder {
     void sort(std::span<const Bounds> boxes);
     std::uint32_t root(std::uint32_t cloth);
 
-    std::vector<std::uint32_t> order_;    // by where boxes begin along x
-    std::vector<std::uint32_t> parents_;  // a forest; a parent comes before its children
+    std::vector<std::uint32_t> order_;    // boxes by their lower end along x
+    std::vector<std::uint32_t> parents_;  // union-find forest; a parent's number is below its children's
 };
 
 }  // namespace weft

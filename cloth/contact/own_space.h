@@ -1,5 +1,5 @@
 #pragma once
-// The part of space that a cloth has to itself in a substep, beside cloths that are not solved with it.
+// The region that a cloth has to itself in a substep, clear of cloths that are solved in other groups.
 
 #include <algorithm>
 #include <limits>
@@ -9,18 +9,18 @@
 
 namespace weft {
 
-/// All that is on the cloth's side of planes, each halfway between its box and another's, across the axis
-/// along which the two are farthest apart, and by `floor` off it [m].
+/// An axis-aligned box, bounded by a plane towards each other cloth's box. The plane is across the axis along
+/// which the two boxes are farthest apart, halfway between them; the region ends `floor` [m] before it.
 class OwnSpace {
   public:
     OwnSpace(const Bounds& box, float floor)
         : box_lower_(to_vector(box.lower)), box_upper_(to_vector(box.upper)), floor_(floor) {}
 
-    /// Of a box that is clear of this one: so along that axis one of the two is above the other.
+    /// Adds the plane towards another box. Precondition: the two boxes are disjoint.
     void keep_from(const Bounds& other) {
         const Vector3 other_lower = to_vector(other.lower), other_upper = to_vector(other.upper);
         const Vector3 above = other_lower - box_upper_, below = box_lower_ - other_upper;
-        Eigen::Index axis = 0;  // for both of the two the same
+        Eigen::Index axis = 0;  // symmetric: the other cloth finds the same axis
         above.cwiseMax(below).maxCoeff(&axis);
         if (above[axis] > below[axis])
             upper_[axis] = std::min(upper_[axis], 0.5f * (other_lower[axis] + box_upper_[axis]) - floor_);

@@ -16,14 +16,14 @@
 #define WEFT_CLOTH_EQUATION_CONTACTS_TYPES
 namespace weft {
 
-/// What the kernel needs of a block.
+/// Arguments of the kernel for one block.
 struct ContactBlock {
     const NearSurfaces& near;
     const Vec4* velocities;  // from the block's first particle on
     float gamma;
-    Vector3 fall;            // that gravity will add yet [m]
+    Vector3 fall;            // gravity's fall that the velocities lack as yet [m]
     float hold;              // particles that pressed and end nearer than this are in contact [m]
-    float stick_per_spring;  // of a particle that does not slide
+    float stick_per_spring;  // damper over spring, where nothing slides
     float per_mass;          // the spring's stiffness is gamma^-2 (per_mass m + least) [N/m]
     float least;             // [kg]
     float* blocks;
@@ -31,7 +31,7 @@ struct ContactBlock {
     Vec4* normals;
     const float* rubbed;
     float* loads;            // see HeldContacts
-    const float* of_bodies;  // per particle what its spring has more on a body [kg]; null: no bodies
+    const float* of_bodies;  // per particle: what a body adds to its spring [kg]; null: no bodies
 };
 
 struct PressedGroup {
@@ -49,7 +49,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Which lanes, from `i` on, no place is free for.
+/// The lanes, from `i` on, squeezed between colliders: they move along with the surface.
 HWY_INLINE auto goes_along(const ContactBlock& block, std::uint32_t i) {
     return hn::Gt(load_lanes(&block.near.motions.w[i]), set(0.5f * held_fast));
 }
@@ -60,7 +60,7 @@ HWY_INLINE Lanes spring_of(const ContactBlock& block, std::uint32_t i) {
     return block.of_bodies != nullptr ? hn::Add(spring, hn::Load(Tag(), block.of_bodies + i)) : spring;
 }
 
-/// Load of the last step, turned to the present normal.
+/// The last step's load, turned to the present normal.
 HWY_INLINE Lanes load_of(const ContactBlock& block, std::uint32_t i) {
     const Lanes3 before = xyz(load_rows(block.normals + i)), n = xyz(load_lanes(block.near.surfaces, i));
     return hn::Mul(hn::Load(Tag(), block.loads + i), hn::Max(dot(before, n), set(0)));
@@ -72,7 +72,7 @@ HWY_INLINE Lanes gap_of(const ContactBlock& block, std::uint32_t i, const Lanes&
     return hn::Sub(load_lanes(&block.near.surfaces.w[i]), raised);
 }
 
-/// Which lanes, from `i` on, press or are going to.
+/// The lanes, from `i` on, that press or are going to.
 HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i, const Lanes& gap) {
     const Lanes zero = set(0), w = load_lanes(&block.near.points.w[i]);
     const Lanes4 surface = load_lanes(block.near.surfaces, i);
@@ -93,25 +93,25 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
 
     const Lanes mass = hn::Div(set(1), load_lanes(&block.near.points.w[i]));
     const Lanes spring = spring_of(block, i);
-    // What did not press yet is not drawn to the surface.
+    // A particle that did not press before is not drawn to the surface.
     const Lanes depth = hn::Neg(hn::IfThenElse(hn::Gt(stored, zero), gap, hn::Min(gap, zero)));
     const Lanes3 relative = v - xyz(motion);
     const auto along = goes_along(block, i);
     const Lanes pressed = hn::IfThenElse(along, hn::Neg(hn::Mul(spring, dot(relative, n))),
                                          hn::Mul(hn::Div(spring, set(block.gamma)), depth));
 
-    // The spring yields to what exceeds the load, and collide() bears a small part of that.
+    // The spring yields to the impulse beyond the load; collide() bears a small part of it, under friction.
     const Lanes yields = hn::Max(hn::Sub(stored, load), zero);
     const Lanes limit = hn::Mul(motion.w, hn::MulAdd(yields, hn::Div(mass, spring), stored));
     const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
     const Lanes3 sliding = relative - dot(relative, n) * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
-    // Where the damper took more than the limit, twice the correction: sliding from rest gathers speed
-    // sooner.
+    // If the damper took more than the limit, its correction is applied twice: sliding from rest then gathers
+    // speed sooner.
     const Lanes took = load_lanes(block.rubbed + i);
     const Lanes again =
         hn::IfThenElse(hn::Gt(took, limit), hn::Max(hn::Div(limit, took), set(0.25f)), set(1));
-    // What is not a number, after a failed step, holds as a limit without end does.
+    // NaN, after a failed step, counts as an infinite limit.
     const auto slides = hn::AndNot(along, hn::Lt(limit, hn::Mul(stick, speed)));
     const Lanes damper = hn::IfThenElse(slides, hn::Mul(again, hn::Div(limit, speed)), stick);
 
@@ -123,7 +123,7 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     hn::Store(load, Tag(), block.loads + i);
 }
 
-/// Rows of one group, if any of it is in contact; returns whether.
+/// Makes the rows of one group if any of its lanes is in contact; returns whether.
 bool linearise_group(const ContactBlock& block, std::uint32_t first) {
     bool touching = false;
     for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
@@ -135,7 +135,7 @@ bool linearise_group(const ContactBlock& block, std::uint32_t first) {
     return true;
 }
 
-/// The impulses at these velocities, along the normals and across them.
+/// Stores the impulses at these velocities, along the normals and across them.
 void press_group(const PressedGroup& group) {
     for (std::uint32_t i = 0; i < Stencil::lanes; i += part_lanes) {
         const Lanes3 n = xyz(load_rows(group.normals + i));
@@ -161,16 +161,16 @@ HWY_EXPORT(press_group);
 
 namespace {
 
-// A particle presses its own weight a fiftieth of a free step's fall into the collider. Part 3 of
+// A particle's own weight presses it a fiftieth of a free step's fall into the collider. Part 3 of
 // tests/bench/MEASUREMENTS.md says why these are neither softer nor stiffer.
 constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
-// A body that lies on n particles presses them in by fifty free steps' falls over n. With the springs above a
-// heavy one would come through light cloth; springs that stiffen with what they bear would give it energy.
+// A body that lies on n particles sinks in by 50 / n free steps' falls. With the springs above alone a heavy
+// body would come through light cloth; springs that stiffen under load would give it energy.
 constexpr double spring_per_body = 0.02;
-constexpr float stick_per_spring = 10;  // what lies on a slope creeps by a tenth of a millimetre a second
+constexpr float stick_per_spring = 10;  // cloth at rest on a slope creeps by 0.1 mm/s
 
-// An attached particle gives way as much as the fabric beside it, and is put back. Part 16 of
-// tests/bench/MEASUREMENTS.md has stiffer ones.
+// An attached particle's spring is as stiff as the fabric beside it, and the particle is put back afterwards.
+// Part 16 of tests/bench/MEASUREMENTS.md has stiffer springs.
 constexpr float attached_per_mass = 200, attached_per_fabric = 1;
 
 /// visit(i) for each particle from `begin`, a multiple of 16, to `end` whose group touches.
@@ -253,7 +253,7 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
     if (has_pairs()) add_pairs(range);
 }
 
-// As pressed into place from all sides; what colliders do to such a particle does not count.
+// An attached particle: an isotropic spring to its place on the body overwrites the collider's row.
 void Contacts::attach_block(const StepEquation& equation, std::span<const Vec4> velocities,
                             const BlockRange& range) {
     const float gamma = equation.gamma;
@@ -288,7 +288,7 @@ void Contacts::find_pushes(const StepEquation& equation, std::span<const Vec4> v
         const Vector3 v = xyz(velocities[i]), there = xyz(equation.base_positions[i]) + equation.gamma * v;
         pushes.push_back({i, body, there - bodies_[body].end.position, v});
     });
-    // Other cloth may keep a particle from where it is attached, but the spring pulls there.
+    // The spring pulls at the place of attachment, even where other cloth keeps the particle away from it.
     for (const Attachment& attached : attached_)
         if (equation.positions[attached.particle].w > 0)
             pushes.push_back({attached.particle, attached.body,
@@ -296,7 +296,7 @@ void Contacts::find_pushes(const StepEquation& equation, std::span<const Vec4> v
                               xyz(velocities[attached.particle])});
 }
 
-// Colliders' impulses are kept apart, since how hard particles press on colliders is read from them.
+// Colliders' impulses are kept apart, because press() reads from them how hard particles press.
 void Contacts::add_pairs(const BlockRange& range) {
     for (std::uint32_t i = range.begin; i < range.end; i += Stencil::lanes) {
         const std::uint32_t group = i / Stencil::lanes;
@@ -349,8 +349,8 @@ void Contacts::bounce(Parallel& parallel, const StepEquation& equation, std::spa
                     [&](const BlockRange& range) { bounce_block(equation, range, velocities); });
 }
 
-// Newton's: the normal velocity after the substep is that before it, times the restitution, and turned round.
-// What bounces presses no more: the next step neither draws it back nor goes on with the change.
+// Newton's law of restitution: the normal velocity after the substep is that before it, reversed and times
+// the restitution. A bouncing particle presses no more: the next step neither draws it back nor extrapolates.
 void Contacts::bounce_block(const StepEquation& equation, const BlockRange& range,
                             std::span<Vec4> velocities) {
     const std::uint32_t size = range.end - range.begin, group = range.begin / Stencil::lanes;
@@ -365,7 +365,7 @@ void Contacts::bounce_block(const StepEquation& equation, const BlockRange& rang
         const std::uint32_t i = range.begin + k;
         Vec4& normal = held_->normals[i];
         if (!(normal.w > 0) || !(near.surfaces.w[k] < reach)) continue;
-        // A body would not feel it.
+        // The body would not get the opposite impulse.
         if (body_buffers_ != nullptr && body_buffers_->pressed[i] >= 0) continue;
         const Vector3 n = xyz(normal), of_surface(near.motions.x[k], near.motions.y[k], near.motions.z[k]);
         const float before = n.dot(of_surface - xyz(equation.velocities[i]));
@@ -378,8 +378,8 @@ void Contacts::bounce_block(const StepEquation& equation, const BlockRange& rang
     }
 }
 
-// Impacts end with the step, so the impulse that stopped the particle is no load. Bodies press without one,
-// since the part that stopped the body is not known.
+// Impacts end with the step, so the impulse that stopped the particle is no load. Particles on bodies have no
+// load, because the part that stopped the body is not known.
 void Contacts::keep_loads(const StepEquation& equation, std::span<const Vec4> velocities,
                           const BlockRange& range) {
     for_each_touching(*held_, range.begin, range.end, [&](std::uint32_t i) {

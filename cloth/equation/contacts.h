@@ -1,6 +1,6 @@
 #pragma once
-// Colliders as forces in the implicit step. Met only after it, they would hold up nothing but the particles
-// that touch them: tension would draw these into the collider instead of holding what hangs from them.
+// Colliders as forces in the implicit step. Contact after the step would bear only the particles that touch:
+// tension would draw these into the collider, and the cloth that hangs from them would fall.
 
 #include <algorithm>
 #include <cstdint>
@@ -25,26 +25,25 @@ static_assert(HeldContacts::group == Stencil::lanes);
 struct ContactRows {
     AlignedBuffer<float> blocks;              ///< G [kg], >= 0: per group 16 xx, yy, zz, xy, xz, yz
     AlignedBuffer<Vec4> impulses;             ///< c, w 0
-    std::span<const std::uint32_t> touching;  ///< see HeldContacts; of a group that does not touch, blocks
-                                              ///< and impulses may hold anything
-    /// What relaxation is to have on its diagonal besides, for what particles do to one another [kg]: laid
-    /// out as blocks. Empty: nothing.
+    std::span<const std::uint32_t> touching;  ///< see HeldContacts; rows of other groups are undefined
+    /// Relaxation adds this to its diagonal for contact between particles [kg]; laid out as blocks. Empty:
+    /// nothing.
     AlignedBuffer<float> in_relaxation;
 
     [[nodiscard]] bool touches(std::uint32_t i) const { return touching[i / Stencil::lanes] != 0; }
-    /// Of a particle in a group that touches.
+    /// Precondition: the particle's group touches.
     [[nodiscard]] Symmetric3 block(std::uint32_t i) const {
         const auto value = [&](std::uint32_t k) { return blocks[lane_index(i, k, 6)]; };
         return {value(0), value(1), value(2), value(3), value(4), value(5)};
     }
 };
 
-/// Null: there are no colliders.
+/// Whether contact acts on the particle's group; `contacts` is null without colliders.
 [[nodiscard]] inline bool touches(const ContactRows* contacts, std::uint32_t i) {
     return contacts != nullptr && contacts->touches(i);
 }
 
-/// What contacts of a cloth need besides where it may meet bodies.
+/// Buffers for a cloth's contacts with bodies.
 struct BodyBuffers {
     BodyBuffers() = default;
     explicit BodyBuffers(std::uint32_t particles) : pressed(particles) {
@@ -60,33 +59,33 @@ struct BodyBuffers {
     /// collider that does not give way.
     AlignedBuffer<std::int32_t> pressed;
     std::vector<BodyStop> stops;   ///< as last linearised
-    std::vector<BodyPush> pushes;  ///< as last linearised, ascending, those attached last
+    std::vector<BodyPush> pushes;  ///< as last linearised, by particle; attached ones last
 };
 
-/// Limits of a cloth's particles, which hold these as colliders do.
+/// A cloth's limits, which hold its particles as colliders do.
 class OwnSurfaces {
   public:
     virtual ~OwnSurfaces() = default;
-    /// Adds to what was found of a block's particles what is nearer; `found` says whether anything was (else
-    /// only the points are there). Returns whether any is near. See find_near_surfaces().
+    /// Overwrites the surfaces in `near` where a limit is nearer. `found`: whether any collider is near; if
+    /// not, only the points are set. Returns whether any surface is near. See find_near_surfaces().
     virtual bool adjust(const BlockRange& range, float reach, bool found, NearSurfaces& near) noexcept = 0;
-    /// Whether what a particle presses on is none of the colliders, but this.
+    /// Whether the particle presses on a limit, not on a collider.
     [[nodiscard]] virtual bool holds(std::uint32_t particle) const noexcept = 0;
 };
 
-/// Which particles press on a collider, and how, is found anew at each linearisation: particles that are to
-/// be nearer than the thickness at the step's end are pushed out by a stiff spring (Terzopoulos, Platt, Barr,
-/// Fleischer 1987), and held in the plane of contact by a damper that has Coulomb's limit as it is known so
-/// far. What the spring yields, a fiftieth of a free step's fall under a particle's own weight, collide()
-/// takes back afterwards; so that what rests keeps what bears it, the load of the last step presses from the
-/// start (augmented Lagrangian: Hestenes 1969, Powell 1969), and the spring bears the rest only.
+/// Contact of a cloth's particles with colliders, found anew at each linearisation. A particle that would end
+/// the step nearer than the thickness is pushed out by a stiff spring (Terzopoulos, Platt, Barr, Fleischer
+/// 1987). A damper in the plane of contact holds it up to Coulomb's limit, as far as that is known. The
+/// spring yields by a fiftieth of a free step's fall under a particle's own weight; collide() corrects that
+/// afterwards. The load of the last step presses from the start, and the spring bears only the rest, so that
+/// resting cloth keeps its support (augmented Lagrangian: Hestenes 1969, Powell 1969).
 class Contacts {
   public:
-    /// with_pairs: of a cloth whose features meet others.
+    /// `with_pairs`: the cloth's features meet others.
     explicit Contacts(std::uint32_t particles, bool with_pairs = false);
 
-    /// A substep begins, in which colliders move so and meet the cloth so, with what the last one left. All
-    /// must outlive it.
+    /// Begins a substep with these motions of colliders, the cloth's side of contact, and what the last
+    /// substep left in `held`. The arguments must outlive it.
     void begin(std::span<const ColliderMotion> colliders, const ClothSide& side, HeldContacts& held,
                OwnSurfaces* own = nullptr) {
         colliders_ = colliders;
@@ -100,36 +99,36 @@ class Contacts {
         bodies_ = {};
         attached_ = {};
     }
-    /// Then: some of the colliders are of these bodies, and these particles, ascending, are attached to them.
-    /// Colliders of bodies that give way come last. `areas`: the rest area of each particle, 0 for loose
-    /// ones.
+    /// After begin(): `bodies` carry some of the colliders, and the `attached` particles, ascending, are
+    /// attached to them. Colliders of bodies that give way come last. `areas`: rest area of each particle, 0
+    /// for loose ones.
     void carry(std::span<const MovingBody> bodies, std::span<const Attachment> attached,
                std::span<const float> areas, BodyBuffers& buffers);
-    /// Then: its rows are to hold these pairs, too, in which the cloth's particles are numbered from `first`
-    /// on, a multiple of 16. Whoever has another linearisation begin linearises the pairs before.
+    /// After begin(): the rows include these pairs, too, which number the cloth's particles from `first` on,
+    /// a multiple of 16. The caller linearises the pairs before each begin_pass().
     void join(const PairRows& pairs, std::uint32_t first) {
         pairs_ = &pairs;
         first_ = first;
         rows_.touching = touching_.span();
     }
-    /// Another linearisation begins, in which every block is to be linearised before its rows are read.
+    /// Begins another linearisation. Every block must be linearised before its rows are read.
     const ContactRows* begin_pass() {
         ++passes_;
         return &rows_;
     }
-    /// The rows of a block, linearised about `velocities`: in the loop that reads them, as long as they are
-    /// near.
+    /// Linearises a block's rows about `velocities`. The loop that reads the rows calls it, while they are in
+    /// the cache.
     void linearise(const StepEquation& equation, std::span<const Vec4> velocities, const BlockRange& range);
-    /// The substep ends with these velocities: keeps how hard particles press, for the next one.
+    /// Ends the substep at these velocities: stores how hard particles press, for the next one.
     void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
-    /// After that: what pressed a collider leaves it as fast as it bounces.
+    /// After finish(): particles that pressed a collider rebound by the restitution.
     void bounce(Parallel& parallel, const StepEquation& equation, std::span<Vec4> velocities);
-    /// The pairs have been linearised again, the colliders not.
+    /// Takes over pairs that were linearised again. Rows of colliders stay.
     void renew_pairs(Parallel& parallel);
 
-    /// What presses on bodies, and is attached to them, in a linearisation at these velocities.
+    /// Finds the particles that press on bodies or are attached to them, as linearised at these velocities.
     void find_pushes(const StepEquation& equation, std::span<const Vec4> velocities);
-    /// Where bodies meet particles that do not give way: pinned or squeezed ones.
+    /// Finds where bodies meet particles that do not give way: pinned or squeezed ones.
     void find_stops(const StepEquation& equation, std::span<const Vec4> velocities);
     [[nodiscard]] std::span<const BodyStop> stops() const noexcept {
         return body_buffers_ != nullptr ? std::span<const BodyStop>(body_buffers_->stops)
@@ -138,34 +137,34 @@ class Contacts {
     [[nodiscard]] std::span<BodyPush> pushes() const noexcept {
         return body_buffers_ != nullptr ? std::span<BodyPush>(body_buffers_->pushes) : std::span<BodyPush>();
     }
-    /// A particle gets this at any velocity, since a body moves otherwise than it was linearised with.
+    /// Adds an impulse that no velocity changes: the body moves otherwise than it was linearised with.
     void add_impulse(std::uint32_t particle, const Vector3& impulse) {
         if (has_pairs()) set_xyz(of_colliders_[particle], xyz(of_colliders_[particle]) + impulse);
         set_xyz(rows_.impulses[particle], xyz(rows_.impulses[particle]) + impulse);
     }
-    /// To a body.
+    /// Whether the particle is attached to a body.
     [[nodiscard]] bool is_attached(std::uint32_t particle) const noexcept {
         const auto at = std::ranges::lower_bound(attached_, particle, {}, &Attachment::particle);
         return at != attached_.end() && at->particle == particle;
     }
-    /// Whether anything outside of the cloth acts on it: a collider, its leash or backstop, or a body that it
-    /// is attached to.
+    /// Whether anything outside of the cloth acts on the particle: a collider, its leash or backstop, or a
+    /// body that it is attached to.
     [[nodiscard]] bool is_held(std::uint32_t particle) const noexcept {
         return presses_surface(particle) || is_attached(particle);
     }
 
     [[nodiscard]] const ContactRows& rows() const noexcept { return rows_; }
-    /// In the last linearisation.
+    /// Whether the particle presses a collider, in the last linearisation.
     [[nodiscard]] bool presses_collider(std::uint32_t particle) const noexcept {
         return presses_surface(particle) && (own_ == nullptr || !own_->holds(particle));
     }
-    /// A collider, its leash or its backstop, in the last linearisation.
+    /// Whether the particle presses a collider, its leash or its backstop, in the last linearisation.
     [[nodiscard]] bool presses_surface(std::uint32_t particle) const noexcept {
         return held_->touching[particle / Stencil::lanes] != 0 && !xyz(held_->normals[particle]).isZero(0);
     }
-    /// How many particles press a collider, in the last linearisation.
+    /// Number of particles that press a collider, in the last linearisation.
     [[nodiscard]] std::uint32_t pressing() const noexcept;
-    /// What colliders give such a particle at the velocity v [kg m/s].
+    /// Impulse of colliders on a particle whose group touches, at the velocity v [kg m/s].
     [[nodiscard]] Vector3 of_colliders(std::uint32_t particle, const Vector3& v) const {
         const AlignedBuffer<Vec4>& at_rest = has_pairs() ? of_colliders_ : rows_.impulses;
         return xyz(at_rest[particle]) - rows_.block(particle) * v;
@@ -192,23 +191,23 @@ class Contacts {
         return has_pairs() ? of_colliders_ : rows_.impulses;
     }
 
-    ContactRows rows_;                       // in the equation
-    AlignedBuffer<Vec4> of_colliders_;       // their impulses, where these are not all; else empty
-    AlignedBuffer<std::uint32_t> touching_;  // likewise: of rows_
+    ContactRows rows_;                       // rows of the equation
+    AlignedBuffer<Vec4> of_colliders_;       // impulses of colliders alone, with pairs; else empty
+    AlignedBuffer<std::uint32_t> touching_;  // rows_.touching, with pairs; else empty
     const PairRows* pairs_ = nullptr;
     std::uint32_t first_ = 0;
     HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;
     ClothSide side_;  // of all particles
     OwnSurfaces* own_ = nullptr;
-    int passes_ = 0;                       // of this substep
+    int passes_ = 0;                       // linearisations in this substep
     BodyBuffers* body_buffers_ = nullptr;  // null: no bodies
     std::span<const MovingBody> bodies_;
     std::span<const Attachment> attached_;
     std::span<const float> areas_;
-    std::size_t firm_ = 0;  // colliders that do not give way, the first
+    std::size_t firm_ = 0;  // number of colliders that do not give way; they come first
 
-    // Somewhat more than a free step falls: what may come into contact is nearer than this [m].
+    // Search radius for particles that may come into contact [m]: somewhat more than a free step's fall.
     static constexpr float reach = 4e-3f;
 };
 

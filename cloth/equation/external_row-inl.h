@@ -1,4 +1,4 @@
-// What a particle's row has before the fabric is added, lane by lane. Included as lanes-inl.h.
+// A particle's row without the fabric, lane by lane. Included as lanes-inl.h.
 
 #if defined(WEFT_CLOTH_EQUATION_EXTERNAL_ROW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_EQUATION_EXTERNAL_ROW_INL_H
@@ -23,18 +23,18 @@ HWY_INLINE Lanes3 set(const Vector3& v) {
 HWY_INLINE SymmetricLanes contact_blocks(const ContactRows& contacts, std::uint32_t i) {
     return load_symmetric(&contacts.blocks[lane_index(i, 0, 6)]);
 }
-/// The part of G that relaxation divides by. A multigrid cycle damps by 5/6, so with 5/6 of G it solves a row
-/// at once where contact outweighs the rest. 2 D - W needs half of G to be positive definite.
+/// The part of G in relaxation's diagonal. A multigrid cycle damps by 5/6, so 5/6 of G solves a row at once
+/// where contact outweighs the rest. 2 D - W is positive definite with half of G or more.
 HWY_INLINE SymmetricLanes contact_diagonal(const ContactRows& contacts, std::uint32_t i) {
     const SymmetricLanes of_colliders = set(5.0f / 6) * contact_blocks(contacts, i);
     if (contacts.in_relaxation.size() == 0) return of_colliders;
     return of_colliders + load_symmetric(&contacts.in_relaxation[lane_index(i, 0, 6)]);
 }
 
-/// Inertia, gravity, air and colliders.
+/// A row from inertia, gravity, air and contact.
 struct Row {
     Lanes3 impulse;  ///< gamma f - M (v - v_base) [kg m/s]
-    Lanes row_sum;   ///< [kg], without what colliders hold; 0 for pinned particles
+    Lanes row_sum;   ///< [kg], without contact; 0 for pinned particles
 };
 
 /// Row of the lanes from particle `i` on, which have inverse masses `w` and velocities `v`.

@@ -70,7 +70,7 @@ ImplicitSystem::Neighbours ImplicitSystem::neighbours_of(std::uint32_t i) const 
 std::uint32_t ImplicitSystem::entry_between(std::uint32_t i, std::uint32_t j) const {
     const Stencil& graph = stencil();
     std::uint32_t entry = graph.group_slots[i / Stencil::lanes] * Stencil::lanes + i % Stencil::lanes;
-    // It is there, but perhaps in a file that was made to mislead.
+    // The entry exists, except in a malicious file: the bound keeps the search within the row.
     const std::uint32_t last = graph.group_slots[i / Stencil::lanes + 1] * Stencil::lanes;
     while (entry + Stencil::lanes < last && graph.neighbours[entry] != j) entry += Stencil::lanes;
     return entry;

@@ -1,6 +1,6 @@
 #pragma once
-// The linear system of one implicit step, W dv = b, as solvers see it. Springs and finite elements each have
-// their own.
+// The linear system of one implicit step, W dv = b, as solvers see it. Springs and finite elements each
+// implement it.
 
 #include <array>
 #include <memory>
@@ -21,7 +21,7 @@ namespace weft {
 
 struct SavedSprings;
 
-/// Which point of the equation a system is linearised about.
+/// The point of the equation that a system is linearised about.
 enum class LinearisedAbout {
     base,     ///< x_base, as Kang does: the present positions, for backward Euler
     iterate,  ///< x_base + gamma v, as Newton's method does
@@ -35,7 +35,7 @@ struct Relaxation {
     float momentum = 0;
 };
 
-/// Vectors whose dot products with x a multiplication of x sums on its way, while x is in registers; null: 0.
+/// Vectors whose dot products with x are summed during a multiplication, while x is in registers; null: 0.
 using DottedWith = std::array<const Vec4*, 3>;
 struct Products {
     std::array<double, 3> dots{};  ///< of x with these
@@ -49,26 +49,25 @@ struct Products {
 };
 
 /// Vectors are one Vec4 a particle, w 0, in AlignedBuffers (kernels read whole groups of 16). W is symmetric
-/// positive definite on the free particles; rows of pinned ones (inverse mass 0) are as if they were not
-/// there: 0 comes out.
+/// positive definite on the free particles. Rows of pinned ones (inverse mass 0) give 0, as if absent.
 class ImplicitSystem {
   public:
     explicit ImplicitSystem(std::uint32_t particles) : particles_(particles) {}
     virtual ~ImplicitSystem() = default;
     ImplicitSystem& operator=(const ImplicitSystem&) = delete;
 
-    /// The same for another cloth of this model, with its copy of the model, before its first step: what is
-    /// constant is shared.
+    /// A system of the same kind for another cloth of this model, with its copy of the model, before its
+    /// first step. Constant parts are shared.
     [[nodiscard]] virtual std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const = 0;
-    /// What of it is constant, if it is of springs.
+    /// The constant part of a system of springs; nothing for other systems.
     [[nodiscard]] virtual std::optional<SavedSprings> springs() const = 0;
-    /// Takes the memory for what prepare() then writes and is shared as yet. May run out of it.
+    /// Allocates its own copy of the shared memory that prepare() writes. May run out of memory.
     virtual void make_own(const Fabric& /*fabric*/) {}
-    /// Makes what depends on the fabric alone. A step in another fabric does that first.
+    /// Computes what depends on the fabric alone. A step with another fabric does so first.
     virtual void prepare(const Fabric& /*fabric*/) noexcept {}
-    /// Lays out what is made anew in each linearisation, and only read until the next.
+    /// Lays out the arrays that each linearisation fills and that are only read until the next.
     virtual void lay_out(Scratch& scratch);
-    /// The same in memory of its own, as a system has that was made, and its clones have not.
+    /// lay_out() in memory of its own. A system that was made has such memory; its clones do not.
     void lay_out_alone() { own_scratch_.lay_out(*this); }
 
     /// Makes W and b of the equation, linearised: with dv from W dv = b, v + dv solves it. Precondition: if
@@ -80,15 +79,15 @@ class ImplicitSystem {
     virtual void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           std::span<Vec4> residual) = 0;
 
-    /// product = W x, unless it is empty.
+    /// product = W x, unless `product` is empty. Returns the dot products of x with `with` and with W x.
     Products multiply(Parallel& parallel, const DottedWith& with, std::span<const Vec4> x,
                       std::span<Vec4> product);
     /// product = W x. Returns x . W x.
     double multiply(Parallel& parallel, std::span<const Vec4> x, std::span<Vec4> product) {
         return multiply(parallel, {}, x, product).x_wx;
     }
-    /// The same with what W leaves out of the slope about an iterate, so that relaxation need not know it: a
-    /// preconditioner made of W serves both.
+    /// multiply() with the terms that W leaves out of the slope about an iterate. Relaxation does not need
+    /// these: a preconditioner made of W serves both products.
     Products multiply_coupled(Parallel& parallel, const DottedWith& with, std::span<const Vec4> x,
                               std::span<Vec4> product);
     /// One step of relaxation on W x = b.
@@ -97,7 +96,7 @@ class ImplicitSystem {
     /// x = step D^-1 b: relaxation from 0.
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
     /// The first step of a V-cycle: remainder = b - W x with x = step D^-1 b. A system whose
-    /// relax_corrected() makes x again does not store it.
+    /// relax_corrected() computes x again does not store it.
     virtual void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,
                                      std::span<Vec4> x, std::span<Vec4> remainder);
     /// The last step of a V-cycle: relaxes once from x + P e, and may overwrite x. Precondition: b, step and
@@ -105,9 +104,9 @@ class ImplicitSystem {
     virtual void relax_corrected(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x,
                                  const Correction& correction, std::span<Vec4> next);
 
-    /// Which particles have a block off the diagonal with one another. A grid's has no lists.
+    /// The graph of off-diagonal blocks: which particles share one. A grid's stencil has no lists.
     [[nodiscard]] virtual const Stencil& stencil() const noexcept = 0;
-    /// The same of particle i: ascending, each once, and besides as often as is handy i itself.
+    /// Neighbours of one particle, ascending, each once. The particle itself may occur any number of times.
     struct Neighbours {
         const std::uint32_t* first;
         std::uint32_t count, stride;
@@ -121,39 +120,38 @@ class ImplicitSystem {
     /// Precondition: i and j are neighbours.
     [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
     [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
-    /// Of each off-diagonal block of some slots, which are 16 entries each, the nearest block a I + d d^T;
-    /// the block itself, for springs. Bending makes a negative where it pulls particles apart. From these the
-    /// coarse levels are made. blocks[16 k + lane] is of slots[k]: d [sqrt(kg)], w a [kg]. They are there as
-    /// well in the rows of pinned particles.
+    /// Approximates each off-diagonal block of some slots (16 entries each) by the nearest block a I + d d^T,
+    /// exact for springs. Bending makes a negative where it pulls particles apart. The coarse levels are made
+    /// from these. blocks[16 k + lane] belongs to slots[k]: d [sqrt(kg)], w a [kg]. Rows of pinned particles
+    /// have them as well.
     virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                std::span<Vec4> blocks) = 0;
     /// spring_blocks() of all slots. Allocates, so no step may call it.
     [[nodiscard]] AlignedBuffer<Vec4> all_spring_blocks(Parallel& parallel);
 
-    /// Where the block between two neighbours is a I whatever the cloth does: a over constant_scale(), else
-    /// 0.
+    /// a / constant_scale() where the block between two neighbours is a I however the cloth moves; else 0.
     [[nodiscard]] virtual float constant_block(std::uint32_t /*i*/, std::uint32_t /*j*/) const { return 0; }
-    /// Of the last linearisation.
+    /// Scale of the constant blocks in the last linearisation.
     [[nodiscard]] virtual float constant_scale() const noexcept { return 0; }
 
-    /// What colliders add to the diagonal, or null: there are none.
+    /// Rows of contact, which add to the diagonal; null: there are no colliders.
     [[nodiscard]] virtual const ContactRows* contacts() const noexcept = 0;
 
     /// b_i [kg m/s], w row sum r_i = sum_j W_ij [kg]; 0 for pinned particles.
     [[nodiscard]] ScratchArray<Vec4>& right_side() noexcept { return right_side_; }
     [[nodiscard]] const ScratchArray<Vec4>& right_side() const noexcept { return right_side_; }
-    /// Besides scratch.
+    /// Bytes without scratch.
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 
   protected:
     ImplicitSystem(const ImplicitSystem&) = default;
 
-    // The same for some rows, which are whole groups of 16 but for the last. `window` is null where windows_
-    // are empty.
-    /// Returns their shares.
+    // The operations above on a range of rows: whole groups of 16, except for the last. `window` is null
+    // where windows_ are empty.
+    /// Returns the rows' shares of the products.
     virtual Products multiply_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
                                    Vec4* product, GridWindow* window) const = 0;
-    /// With what W leaves out.
+    /// multiply_rows() with the terms that W leaves out.
     virtual Products multiply_coupled_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
                                            Vec4* product, GridWindow* window) const {
         return multiply_rows(range, with, x, product, window);

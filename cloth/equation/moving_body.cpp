@@ -6,7 +6,7 @@ namespace weft {
 
 namespace {
 
-/// Turned about an axis of the World by the length of `turn` [rad].
+/// The rotation, turned about the World's axis `turn` by that vector's length [rad].
 Eigen::Quaternionf turned(const Eigen::Quaternionf& rotation, const Vector3& turn) {
     const float angle = turn.norm();
     if (!(angle > 0)) return rotation;

@@ -17,10 +17,9 @@ namespace {
 
 static_assert(PairGroup::lanes == group_lanes);
 
-// A spring has its full stiffness from this part of its radius on.
+// The depth from which a spring has its full stiffness, over its radius.
 constexpr float onset_per_radius = 0.1f;
-// Of what does not slide, over the full spring: layers on a slope creep by five thousandths of a millimetre a
-// second.
+// The damper of a pair that does not slide, over the full spring: layers on a slope creep by 0.005 mm/s.
 constexpr float stick_per_spring = 10;
 
 HWY_INLINE void store(Lanes v, float* to) {
@@ -39,7 +38,7 @@ HWY_INLINE Lanes3 relative(const PairGroup& group, std::uint32_t lane, const Vec
     return sum;
 }
 
-/// Shapes of the pairs of these numbers.
+/// Fills in the shapes of the pairs with these numbers.
 HWY_INLINE void fill_shapes(const PairShape* shapes, const std::uint32_t* numbers, std::uint32_t count,
                             std::uint32_t lane, PairGroup& group) {
     const auto weights = rows_from(
@@ -58,7 +57,7 @@ HWY_INLINE void fill_shapes(const PairShape* shapes, const std::uint32_t* number
     store(n.z, group.normal[2] + lane);
 }
 
-// Differences to the first corner, so that where a pair is takes nothing of the gap.
+// Differences to the first corner, so that the gap is as exact far from the origin.
 HWY_INLINE void fill_gaps(const Vec4* base_positions, std::uint32_t lane, PairGroup& group) {
     const Lanes4 origin = gather_rows_with_w(base_positions, group.corners[0] + lane);
     const Lanes first = load_lanes(group.weights[0] + lane), zero = set(0);
@@ -120,7 +119,7 @@ HWY_INLINE void linearise_part(const PairStiffness& stiffness, const Vec4* veloc
     const Lanes depth = hn::Sub(load_lanes(group.radius + lane),
                                 hn::MulAdd(set(stiffness.gamma), along, load_lanes(group.gap + lane)));
     const auto pushes = hn::Gt(depth, set(0));
-    // From 0 to the onset the force is that of a square; then it goes on straight.
+    // Up to the onset the force grows with the square of the depth, beyond it linearly.
     const Lanes onset = hn::Mul(set(onset_per_radius), load_lanes(group.radius + lane));
     const Lanes part = hn::IfThenElseZero(pushes, hn::Min(hn::Div(depth, onset), set(1)));
     const Lanes full = hn::IfThenElseZero(pushes, hn::Mul(set(stiffness.spring_per_mass), mass));
@@ -129,8 +128,8 @@ HWY_INLINE void linearise_part(const PairStiffness& stiffness, const Vec4* veloc
     const Lanes pressed = hn::IfThenElseZero(pushes, hn::Mul(hn::Mul(spring, set(1 / stiffness.gamma)), way));
     const Lanes3 sliding = u - along * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
-    // What the last pass gave, which balances what presses; at its end the springs' own law, being convex,
-    // has more wherever a solution is not exact, and would hold what slides.
+    // The impulse by the last pass's linearisation, which balances the load. The springs' own law is convex
+    // and gives more wherever a solution is inexact: friction would hold sliding features.
     const Lanes given =
         hn::NegMulAdd(load_lanes(group.spring + lane), along, load_lanes(group.at_rest + lane));
     const Lanes limit = hn::Mul(friction, hn::Min(pressed, hn::Max(given, set(0))));
@@ -170,8 +169,8 @@ HWY_INLINE RowLanes row_of(const Vec4& v) {
     return hn::Load(RowTag(), &v.x);
 }
 
-// Most of what is listed pushes or does not by turns that no branch foresees: shares that do not are 0, and
-// are added as others are.
+// Whether a listed pair pushes is unpredictable, so there is no branch: shares of pairs that do not push are
+// 0, and are added like the others.
 std::uint32_t gather(std::span<const std::uint32_t> places, const PairShare* shares, PushedParticle& sum,
                      PushedCorner* pushed) {
     const RowTag d;
@@ -193,7 +192,7 @@ std::uint32_t gather(std::span<const std::uint32_t> places, const PairShare* sha
     return count;
 }
 
-/// Sums for each of a group's sixteen lanes, so that they are the same at any vector width.
+/// Partial sums, one for each of a group's sixteen lanes: the result is the same at any vector width.
 double multiply(const Vec4* vector, const BlockRange& pairs, const PairGroup* groups, Vec4* products) {
     constexpr std::uint32_t parts = group_lanes / part_lanes;
     Lanes sums[parts];
@@ -223,7 +222,7 @@ void add_to_rows(const PushedRows& rows, const Vec4* products, Vec4* target) {
         const PushedCorner* corner = rows.corners + rows.starts[r];
         const PushedCorner* const end = corner + rows.counts[r];
         if (corner == end) continue;
-        // Two sums, each of which waits for its own last one only.
+        // Two sums, so that an addition waits only for the last but one.
         RowLanes even = hn::Zero(d), odd = hn::Zero(d);
         for (; corner + 1 < end; corner += 2) {
             even = hn::MulAdd(hn::Set(d, corner[0].weight), row_of(products[corner[0].pair]), even);

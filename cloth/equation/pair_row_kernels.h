@@ -10,14 +10,14 @@
 
 namespace weft {
 
-/// What holds for one pair through a substep.
+/// Contact parameters of one pair, constant through a substep.
 struct PairLaw {
     float radius = 0;    ///< features nearer than this are pushed apart [m]; 0: they are left alone
     float friction = 0;  ///< Coulomb coefficient
 };
 
-/// Sixteen pairs through a substep, by columns, and as they were last linearised. Lanes past the last pair
-/// weigh nothing and never push.
+/// Sixteen pairs in a substep, one a lane, with their last linearisation. Lanes past the last pair have
+/// weight 0 and never push.
 struct alignas(64) PairGroup {
     static constexpr std::uint32_t lanes = 16;
 
@@ -25,15 +25,15 @@ struct alignas(64) PairGroup {
     float weights[4][lanes];
     float normal[3][lanes];
     float radius[lanes], friction[lanes];
-    float mass[lanes];                   // 1 / sum b^2 w [kg]; 0: nothing of it can move
+    float mass[lanes];                   // 1 / sum b^2 w [kg]; 0: no corner can open the gap
     float gap[lanes];                    // at the base positions [m]
-    float spring[lanes], damper[lanes];  // [kg]; spring 0: it does not push
-    float at_rest[lanes];                // impulse along the normal for features that do not move, as last
-                                         // linearised; infinity: never yet [kg m/s]
+    float spring[lanes], damper[lanes];  // [kg]; spring 0: the pair does not push
+    float at_rest[lanes];  // impulse along the normal at zero velocity, as last linearised; infinity: not
+                           // linearised yet [kg m/s]
 };
 
-/// What a pair has for a corner of weight b: b times the impulse, and |b| times the matrix. In one cache
-/// line, since corners read it in no order.
+/// A pair's share for its corners: a corner of weight b gets b times the impulse and |b| times the matrix. A
+/// share fills one cache line, because corners read shares in no order.
 struct alignas(64) PairShare {
     Vec4 weights;
     Vec4 diagonal;      // xx, yy, zz of K [kg]; w: the spring
@@ -47,12 +47,12 @@ struct PushedCorner {
     float weight;
 };
 
-/// What a particle gets of all its pairs.
+/// Sums of a particle's shares over all its pairs.
 struct PushedParticle {
     Vec4 diagonal, off_diagonal, impulse;  // as in PairShare
 };
 
-/// Where pairs are taken from: `numbers` are those in the list.
+/// Input of fill_groups(): `numbers` index the pairs in the list.
 struct PairSources {
     const std::uint32_t* numbers;
     const PairList* list;
@@ -73,20 +73,20 @@ struct PairStiffness {
 void linearise_groups(const PairStiffness& stiffness, const Vec4* velocities, const BlockRange& pairs,
                       PairGroup* groups, PairShare* shares);
 
-/// Adds up what a particle has of its places, 4 * pair + corner, and lists those that push. Returns how many.
+/// Sums a particle's shares over its places, 4 * pair + corner, and lists those pushed. Returns their number.
 std::uint32_t gather_shares(std::span<const std::uint32_t> places, const PairShare* shares,
                             PushedParticle& sum, PushedCorner* pushed);
 
-/// products[pair] = K u for those of a range that push; returns the sum of u . K u.
+/// products[pair] = K u for the pairs of a range that push; returns the sum of u . K u.
 double multiply_groups(const Vec4* vector, const BlockRange& pairs, const PairGroup* groups, Vec4* products);
 
 /// Some rows of particles, and the pairs that push them.
 struct PushedRows {
     std::uint32_t begin, end;
     std::uint32_t first;             // the particle that the target begins with
-    const std::uint32_t* particles;  // of rows
-    const std::uint32_t* starts;     // of rows: where their corners begin
-    const std::uint32_t* counts;     // of rows: how many they have
+    const std::uint32_t* particles;  // by row
+    const std::uint32_t* starts;     // by row: where its corners begin
+    const std::uint32_t* counts;     // by row: the number of its corners
     const PushedCorner* corners;
 };
 

@@ -8,8 +8,8 @@ namespace weft {
 
 namespace {
 
-// A pair's spring over its mass, in units of gamma^-2. Softer ones let layers be pressed together where they
-// land; stiffer ones make stacks buzz.
+// A pair's spring over its mass, in units of gamma^-2. Softer springs let landing layers be pressed together;
+// stiffer ones make stacks vibrate.
 constexpr float spring_per_mass = 50;
 
 }  // namespace
@@ -50,13 +50,13 @@ void PairRows::begin(Parallel& parallel, const PairList& list, std::span<const P
         for (std::uint32_t k = range.begin; k < range.end; ++k)
             shares_[k].weights = list.shapes[numbers_[k]].weights;
     });
-    // What is given no vector, as a body that is where it will be, has 0.
+    // Particles whose vector is never taken have velocity 0: their body is already where it will be.
     for (std::uint32_t r = 0; r < incidence_.rows(); ++r) taken_[incidence_.particle(r)] = {};
-    // Nothing pushes before it is linearised.
+    // No pair pushes before linearise().
     std::fill_n(counts_.data(), incidence_.rows(), 0u);
 }
 
-// Those with a radius, in their order: blocks are counted, and each then knows where it writes.
+// Lists the pairs with a radius, in order. Blocks are counted first, so that each knows where it writes.
 void PairRows::choose(Parallel& parallel, std::span<const PairLaw> laws) {
     parallel.ranges(list_->size, [&](const BlockRange& range) {
         std::uint32_t count = 0;
@@ -128,7 +128,7 @@ PairRows::Row PairRows::row(std::uint32_t k) const {
     return row;
 }
 
-// Friction is the rows' own, as far as the normal impulse goes.
+// Friction is the rows' own, limited by Coulomb's law for this normal impulse.
 PairRows::Push PairRows::push_of(std::uint32_t k) const {
     const PairGroup& group = groups_[k / PairGroup::lanes];
     const std::uint32_t lane = k % PairGroup::lanes;

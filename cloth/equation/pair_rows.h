@@ -19,44 +19,43 @@
 
 namespace weft {
 
-/// Each pair's features push each other apart along the normal that detection gave them, by a stiff spring
-/// that ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987), and hold each
-/// other across it by a damper that has Coulomb's limit as it is known so far. Over the first part of its way
-/// the spring stiffens from nothing, or what rests would touch and let go by turns. The impulse on corner i
-/// of pair k is
+/// A pair's features push each other apart along the normal that detection gave them, by a stiff spring that
+/// ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987). Across the normal
+/// a damper holds them up to Coulomb's limit, as far as that is known. The spring stiffens from 0 over its
+/// first depth: otherwise resting features would touch and part by turns. Corner i of pair k gets the impulse
 ///     b_i (c_k - K_k sum_j b_j v_j),   K_k = spring n n^T + damper (I - n n^T) [kg]
-/// so that what corners get adds up to 0. Corners, and all spans, are numbered through all bodies.
+/// so the corners' impulses add up to 0. Corners, and all spans, are numbered through all bodies.
 class PairRows {
   public:
-    /// For so many particles of all bodies together, and so many pairs; untangling() besides.
+    /// Room for so many particles, of all bodies together, and so many pairs; not for untangling().
     void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
         lay_out_rows(scratch, particles, pairs);
         lay_out_solve(scratch, particles, pairs);
     }
-    /// The same in two: the rows, and what nobody needs after the solve.
+    /// lay_out() in two parts: the rows, and the arrays that are unused after the solve.
     void lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs);
     void lay_out_solve(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
-    /// A substep begins, whose equation has these bases and this gamma. What is given must outlive it. Pairs
-    /// without a radius have no row, and cost nothing from here on.
+    /// Begins a substep whose equation has these bases and this gamma. The arguments must outlive it. Pairs
+    /// without a radius get no row and cost nothing afterwards.
     void begin(Parallel& parallel, const PairList& list, std::span<const PairLaw> laws,
                std::span<const Vec4> base_positions, float gamma);
     [[nodiscard]] bool empty() const noexcept { return size_ == 0 && untangling_.empty(); }
-    /// Rows of what crosses: they are in all that follows.
+    /// Rows of crossing features. All operations below include them.
     [[nodiscard]] UntanglingRows& untangling() noexcept { return untangling_; }
 
-    /// Takes over what a body's particles have in a vector: those in pairs, the body's first being `first`.
+    /// Copies a body's part of a vector, for particles in pairs. The body's first particle is `first`.
     void take(Parallel& parallel, std::uint32_t first, std::span<const Vec4> vector);
-    /// Which pairs push, and how, at the velocities that were taken.
+    /// Linearises the pairs at the velocities that were taken: which of them push, and how.
     void linearise(Parallel& parallel);
-    /// What contact does to one particle, as last linearised.
+    /// Contact's effect on one particle, as last linearised.
     struct AtParticle {
         std::uint32_t particle;
-        Symmetric3 diagonal;  ///< what a relaxation that knows no other particles is to have for it [kg]
+        Symmetric3 diagonal;  ///< contact's part of a relaxation's diagonal block [kg]
         Vector3 impulse;      ///< at the velocities taken [kg m/s]
     };
-    /// visit(AtParticle) for free ones in [begin, end) that pairs push, ascending; then for those in
-    /// rows of what crosses.
+    /// visit(AtParticle) for free particles in [begin, end) that pairs push, ascending; then for those in
+    /// rows of crossing features.
     template <class Visit>
     void for_each_particle(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
         for (std::uint32_t r = first_row(begin); r < incidence_.rows(); ++r) {
@@ -71,7 +70,7 @@ class PairRows {
         });
     }
 
-    /// With x as taken and C the pairs' matrix: returns x . C x.
+    /// Returns x . C x, with x as taken and C the pairs' matrix.
     double multiply(Parallel& parallel);
     /// product += C x of a body's particles, after multiply().
     void add_products(Parallel& parallel, std::uint32_t first, std::span<Vec4> product) const;
@@ -82,20 +81,20 @@ class PairRows {
         const PairShape& shape;
         float spring, damper;  ///< [kg]
 
-        /// K.
+        /// The pair's matrix K.
         [[nodiscard]] Symmetric3 stiffness() const {
             const Vector3 n = xyz(shape.normal), across = (spring - damper) * n;
             return {damper + across.x() * n.x(), damper + across.y() * n.y(), damper + across.z() * n.z(),
                     across.x() * n.y(),          across.x() * n.z(),          across.y() * n.z()};
         }
     };
-    /// visit(ActivePair) for all that push, in their order.
+    /// visit(ActivePair) for all pairs that push, in list order.
     template <class Visit>
     void for_each_active(const Visit& visit) const {
         for (std::uint32_t k = 0; k < size_; ++k)
             if (pushes(k)) visit(active_pair(k));
     }
-    /// Likewise, for those that push a free particle in [first, first + count).
+    /// visit(ActivePair) for the pairs that push a free particle in [first, first + count), in list order.
     template <class Visit>
     void for_each_active_of(std::uint32_t first, std::size_t count, const Visit& visit) {
         constexpr std::uint32_t bits = 64;
@@ -112,31 +111,31 @@ class PairRows {
             for (std::uint64_t left = marks[word]; left != 0; left &= left - 1)
                 visit(active_pair(word * bits + static_cast<std::uint32_t>(std::countr_zero(left))));
     }
-    /// After the solve, for who wants to know what each pair gave: shares the impulses that particles are
-    /// known to have got among the pairs that pushed when last linearised, by sweeps of projected
-    /// Gauss-Seidel. The list may have changed. Few iterations leave the rows' own law, with its stiff
-    /// springs, several times off. missing(particle) is what it has not been given yet [kg m/s]; what is of a
-    /// body that is fixed stays.
+    /// Splits the impulses that particles are known to have got among the pairs that pushed when last
+    /// linearised, by sweeps of projected Gauss-Seidel: for reports after the solve. The list may have
+    /// changed. The rows' own law does not serve: with its stiff springs, few iterations leave it several
+    /// times off. missing(particle) is the impulse that no pair has been credited with yet [kg m/s]; that of
+    /// pinned particles stays.
     void begin_sweeps();
     template <class Missing>
     void sweep(const Missing& missing) {
         for (std::uint32_t k = 0; k < size_; ++k)
             if (pushes(k)) share_out(k, missing);
     }
-    /// A pair as it was when the substep began: what it takes of its corners' velocities, along its normal.
+    /// A pair as it was when the substep began: the weights of its corners, and its normal.
     struct Row {
         std::array<std::uint32_t, 4> corners;
         std::array<float, 4> weights;
         Vector3 normal;
     };
-    /// What a pair does, as shared out, at the velocities that were taken.
+    /// A pair's impulse: the normal part from the sweeps, friction at the velocities that were taken.
     struct Push {
         Row pair;
         std::uint32_t corners_of_a;
-        Vector3 point;    ///< half way between the features, where those velocities lead [m]
-        Vector3 impulse;  ///< that side A gets, and B the opposite [kg m/s]
+        Vector3 point;    ///< half way between the features, at the end of the step [m]
+        Vector3 impulse;  ///< on side A; B gets the opposite [kg m/s]
     };
-    /// visit(Push) for all that have a part, in their order.
+    /// visit(Push) for all pairs with an impulse, in list order.
     template <class Visit>
     void for_each_push(const Visit& visit) const {
         for (std::uint32_t k = 0; k < size_; ++k)
@@ -178,7 +177,7 @@ class PairRows {
     void choose(Parallel& parallel, std::span<const PairLaw> laws);
     /// The first row of the incidence whose particle is not below this one.
     [[nodiscard]] std::uint32_t first_row(std::uint32_t particle) const;
-    /// Rows of [first, first + count).
+    /// Rows of the particles [first, first + count).
     struct RowRange {
         std::uint32_t begin, end;
     };
@@ -188,21 +187,21 @@ class PairRows {
     std::span<const Vec4> base_positions_;
     float gamma_ = 0;
     std::uint32_t size_ = 0;               // pairs that have a row
-    std::uint32_t vertex_triangles_ = 0;   // of these, which come first
-    ScratchArray<std::uint32_t> numbers_;  // of these in the list, ascending
+    std::uint32_t vertex_triangles_ = 0;   // of size_; they come first
+    ScratchArray<std::uint32_t> numbers_;  // by row: the pair's number in the list, ascending
     ScratchArray<FeaturePair> pairs_;
     ScratchArray<PairGroup> groups_;
     ScratchArray<PairShare> shares_;
-    ScratchArray<Vec4> products_;  // of pairs: what side A gets
-    ScratchArray<Vec4> taken_;     // of particles
-    // Which pairs a particle is in; and by its rows, as last linearised, what it has of them, and the corners
-    // that are pushed: of each row the first so many of its places.
+    ScratchArray<Vec4> products_;  // by pair: K u, or in sweeps the impulse along the normal
+    ScratchArray<Vec4> taken_;     // by particle
+    // incidence_: the pairs of each particle, by row. Each row has, as last linearised, the sum of its
+    // shares, the number of its corners that are pushed, and these corners from the row's first place on.
     PairIncidence incidence_;
     ScratchArray<PushedParticle> particles_;
     ScratchArray<std::uint32_t> counts_;
     ScratchArray<PushedCorner> pushed_;
     ScratchArray<std::uint32_t> block_counts_;
-    ScratchArray<std::uint64_t> marks_;  // by pair a bit
+    ScratchArray<std::uint64_t> marks_;  // one bit a pair
     ScratchArray<double> partials_;
     UntanglingRows untangling_;
 };

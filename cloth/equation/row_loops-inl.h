@@ -30,7 +30,7 @@ class SumByLanes {
     alignas(64) float sums_[Stencil::lanes] = {};
 };
 
-/// product = W x, unless it is null. Returns the rows' shares.
+/// product = W x, unless `product` is null. Returns the rows' shares.
 template <class Matrix, class Rows>
 HWY_INLINE Products multiply_rows(const Matrix& matrix, const BlockRange& range, const DottedWith& with,
                                   Rows& x, Vec4* product) {
@@ -64,7 +64,7 @@ template <class Matrix, class Rows>
 HWY_INLINE void relax_rows(const Matrix& matrix, const BlockRange& range, const Vec4* b, Rows& x,
                            const Relaxation& relaxation, Vec4* next) {
     const Lanes step = hn::Set(Tag(), relaxation.step), momentum = hn::Set(Tag(), relaxation.momentum);
-    const bool has_momentum = relaxation.momentum != 0;  // else `next` may hold anything
+    const bool has_momentum = relaxation.momentum != 0;  // without it `next` may hold anything
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         x.come_to(i);
         const Lanes3 x_i = x.own(i);

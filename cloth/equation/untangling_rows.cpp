@@ -7,7 +7,7 @@ namespace weft {
 
 namespace {
 
-// A row's spring over its mass, in units of gamma^-2: soft, for what it asks need not be had in one step.
+// A row's spring over its mass, in units of gamma^-2: soft, as the depth need not be reached in one step.
 constexpr float spring_per_mass = 10;
 constexpr std::uint32_t corners = 5;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What pushes crossing cloth apart, in the implicit step: springs along the ways on which it comes free.
+// Springs that push crossing cloth apart in the implicit step, along the directions in which it comes free.
 
 #include <cstdint>
 #include <span>
@@ -11,34 +11,34 @@
 
 namespace weft {
 
-/// Each row pulls its corners by a soft spring towards where they are to be, across nothing and without
-/// friction: impulses b_i (c_k - s_k n n^T sum_j b_j v_j), which add up to 0, as PairRows's. There are few,
-/// so one thread does them all. Corners, and all spans, are numbered through all bodies.
+/// A row pulls its corners by a soft spring towards the wanted depth along its direction, without friction.
+/// The impulses b_i (c_k - s_k n n^T sum_j b_j v_j) add up to 0, as in PairRows. Rows are few, so one thread
+/// does them all. Corners, and all spans, are numbered through all bodies.
 class UntanglingRows {
   public:
     void lay_out(Scratch& scratch, std::size_t rows);
 
-    /// A substep begins, with these rows, bases and gamma. What is given must outlive it.
+    /// Begins a substep with these rows, bases and gamma. The arguments must outlive it.
     void begin(std::span<const UntanglingRow> rows, std::span<const Vec4> base_positions, float gamma);
     [[nodiscard]] bool empty() const noexcept { return rows_.empty(); }
 
-    /// Takes over what a body's particles have in a vector, the body's first being `first`. What none is
-    /// taken of has velocity 0.
+    /// Copies a body's part of a vector; the body's first particle is `first`. Corners of which nothing is
+    /// taken have velocity 0.
     void take(std::uint32_t first, std::span<const Vec4> vector);
-    /// Which rows push, at the velocities that were taken.
+    /// Finds the rows that push, and their impulses, at the velocities that were taken.
     void linearise();
-    /// With x as taken and C the rows' matrix: returns x . C x.
+    /// Returns x . C x, with x as taken and C the rows' matrix.
     double multiply();
     /// product += C x of a body's particles, after multiply().
     void add_products(std::uint32_t first, std::span<Vec4> product) const;
 
-    /// What rows do to one particle.
+    /// The rows' effect on one particle.
     struct Sum {
-        Symmetric3 diagonal;                ///< for a relaxation that knows no other particles [kg]
+        Symmetric3 diagonal;                ///< the rows' part of a relaxation's diagonal block [kg]
         Vector3 impulse = Vector3::Zero();  ///< at the velocities taken, as last linearised [kg m/s]
-        Vector3 product = Vector3::Zero();  ///< as last multiplied
+        Vector3 product = Vector3::Zero();  ///< C x, as last multiplied
     };
-    /// visit(particle, Sum) for free ones in [begin, end) that have rows, ascending.
+    /// visit(particle, Sum) for free particles in [begin, end) that have rows, ascending.
     template <class Visit>
     void for_each_particle(std::uint32_t begin, std::uint32_t end, const Visit& visit) const {
         for (std::uint32_t e = first_entry(begin); e < entry_count_ && entries_[e].particle < end;) {
@@ -63,7 +63,7 @@ class UntanglingRows {
 
     std::span<const UntanglingRow> rows_;
     ScratchArray<Spring> springs_;
-    ScratchArray<Vec4> taken_;     // of corners
+    ScratchArray<Vec4> taken_;     // by corner
     ScratchArray<Entry> entries_;  // of free particles, by particle
     std::uint32_t entry_count_ = 0;
     float gamma_ = 0;

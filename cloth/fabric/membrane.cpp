@@ -9,7 +9,7 @@ namespace weft {
 
 namespace {
 
-/// How much of the diagonal bounds C': the largest eigenvalue of D^-1/2 C' D^-1/2, from 1 to 3.
+/// The least f with C' <= f D, D the diagonal: the largest eigenvalue of D^-1/2 C' D^-1/2, from 1 to 3.
 double bound_of(const Eigen::Matrix3d& c) {
     Eigen::Vector3d scale;
     for (Eigen::Index k = 0; k < 3; ++k) scale[k] = c(k, k) > 0 ? 1 / std::sqrt(c(k, k)) : 0;
@@ -23,10 +23,10 @@ double bound_of(const Eigen::Matrix3d& c) {
 struct RestStrains {
     std::array<double, 3> lengths;  // of the sides [m]
     double area;                    // [m^2]
-    Eigen::Matrix3d strains;        // M^-1: xx, yy and xy, the engineers' shear, by extensions of the sides
+    Eigen::Matrix3d strains;        // M^-1: xx, yy and xy (engineering shear) per extension of the sides
 };
 
-/// Strains xx, yy and xy, the engineers' shear, in axes whose first runs along a unit vector.
+/// The matrix that turns strains xx, yy and xy (engineering shear) into axes whose first is a unit vector.
 Eigen::Matrix3d strains_along(const Eigen::Vector2d& axis) {
     const double c = axis.x(), s = axis.y();
     Eigen::Matrix3d turn;
@@ -36,7 +36,7 @@ Eigen::Matrix3d strains_along(const Eigen::Vector2d& axis) {
     return turn;
 }
 
-/// Factors of a sliver's strains in the pattern's axes; see softened_strains().
+/// The matrix that applies softened_strains() to a sliver's strains in the pattern's axes.
 Eigen::Matrix3d softening(const SideStrains& strains) {
     const Eigen::Vector2d back(strains.along.x(), -strains.along.y());
     return strains_along(back) * softened_strains(strains).asDiagonal() * strains_along(strains.along);

@@ -2,22 +2,21 @@
 // The membrane as springs: how stiff each is, so that together they have a fabric's warp, weft and shear
 // stiffness.
 //
-// A sheet's cells have four sides and two diagonals. Cells of sides a and b, diagonals of stiffness
-// k_d = G (a^2 + b^2) / (2 a b) and sides of what follows have Young's moduli K_u and K_v and the shear
-// modulus G: with P = t K_u and Q = t K_v, t = (1 + sqrt(1 + 4 G^2 / (K_u K_v))) / 2, the sides along u take
-// P b/a - G a/b, those along v Q a/b - G b/a, half of it for each cell beside them.
+// A sheet's cells have sides of lengths a along u and b along v, and two diagonals. With
+// t = (1 + sqrt(1 + 4 G^2 / (K_u K_v))) / 2, P = t K_u and Q = t K_v, cells have Young's moduli K_u and K_v
+// and the shear modulus G if diagonals have the stiffness k_d = G (a^2 + b^2) / (2 a b), sides along u
+// P b/a - G a/b and those along v Q a/b - G b/a. Each of the cells beside a side contributes half of this.
 //
-// A general mesh has edges only, and springs by themselves can be but one kind of membrane (Cauchy: Poisson's
-// ratio 1/3). So each triangle is the constant-strain element, written in its sides' extensions dl = l - L
+// A general mesh has edges only, and springs alone model only one kind of membrane (Cauchy: Poisson's ratio
+// 1/3). So each triangle is the constant-strain element, written in its sides' extensions dl = l - L
 // (Delingette 2008, for the form): with rows L_k (e_x^2, e_y^2, e_x e_y) of M for unit sides e at rest,
-// C' = A M^-T C M^-1 has the energy 1/2 dl^T C' dl, and side k the tension sum_m C'_km dl_m, along itself. A
-// spring takes what its own length gives, the rest is a shift of its rest length by its triangles' other
-// sides: see MembraneCoupling.
+// C' = A M^-T C M^-1 has the energy 1/2 dl^T C' dl. Side k has the tension sum_m C'_km dl_m along itself. A
+// spring holds the term of its own length. The other sides of its triangles shift its rest length: see Rings.
 //
-// A membrane that stiffens has the tension K (e + s g(e)) per width, g(e) = e^2 from 0 to a strain of 1/6,
-// straight on from there, 0 in compression: with c = clamp(e, 0, 1/6), g = c (2 e - c) and g' = 2 c. A
-// sheet's sides take all of s K g: the diagonals' share of the linear part and contraction are then what
-// they are without it. A triangle takes it by its strains along warp and weft, which are linear in dl.
+// A membrane that stiffens has the tension K (e + s g(e)) per width. g(e) is e^2 from 0 to a strain of 1/6,
+// linear beyond, 0 in compression: with c = clamp(e, 0, 1/6), g = c (2 e - c) and g' = 2 c. A sheet's sides
+// take all of s K g, so that the diagonals' share of the linear part and the contraction are the same as
+// without it. A triangle stiffens by its strains along warp and weft, which are linear in dl.
 
 #include <algorithm>
 #include <array>
@@ -33,25 +32,25 @@ namespace weft {
 
 constexpr double least_bound = 0.55;
 
-/// A triangle in its sides' lengths: side k runs from corner k to the next.
+/// A triangle's membrane as a function of its sides' lengths. Side k runs from corner k to the next.
 struct TriangleMembrane {
     std::array<double, 3> rest_lengths;  ///< L [m]
-    /// C'_kk, or more: at least `least_bound` of C' is bounded by these alone, so that matrices which know
-    /// only them converge on the whole [N/m].
+    /// C'_kk, or more, so that diag(own) >= `least_bound` C' [N/m]. Iterations whose matrix holds these
+    /// alone then converge on the whole.
     std::array<double, 3> own;
     std::array<std::array<double, 3>, 3> shared;  ///< C' less `own` on the diagonal [N/m]
 };
 [[nodiscard]] TriangleMembrane triangle_membrane(const ClothModel& model, std::uint32_t triangle,
                                                  const Fabric& fabric);
 
-/// What a triangle that stiffens has beside that, by its strains along warp and weft.
+/// A triangle's stiffening terms, as functions of its strains along warp and weft.
 struct TriangleStiffening {
-    std::array<std::array<double, 3>, 2> strains;  ///< per extension of each side [1/m]
+    std::array<std::array<double, 3>, 2> strains;  ///< of warp and weft, per extension of each side [1/m]
     std::array<double, 2> moduli;                  ///< s K times the area [N m]
 
     struct Extra {
         std::array<double, 3> tension;  ///< of each side [N]
-        std::array<double, 3> own;      ///< what bounds the tension's slope, as TriangleMembrane::own [N/m]
+        std::array<double, 3> own;      ///< bounds the tension's slope, as TriangleMembrane::own [N/m]
     };
     [[nodiscard]] Extra at(const std::array<double, 3>& extensions) const;
 };
@@ -59,7 +58,7 @@ struct TriangleStiffening {
                                                      const Fabric& fabric);
 
 constexpr double last_stiffening_strain = 1.0 / 6;
-/// g and g' at a strain.
+/// The stiffening law g and its slope g' at a strain.
 struct Stiffened {
     double tension, slope;
 };
@@ -79,13 +78,13 @@ struct LinearSpring {
     return {length - (k * (length - rest_length) + q * rest_length * g.tension) / slope, slope};
 }
 
-/// P, Q and G of a sheet.
+/// A sheet's moduli P, Q and G; see the head of this file.
 struct SheetModuli {
     double warp, weft, shear;
 };
 [[nodiscard]] SheetModuli sheet_moduli(const Fabric& fabric);
 
-/// Of the cell whose near left corner is `near`: mean lengths of its sides along u and along v [m].
+/// Mean lengths of a cell's sides along u and along v [m]. The cell's near left corner is `near`.
 struct CellSides {
     double a, b;
 };
@@ -97,7 +96,7 @@ struct CellSides {
     return {(near_side + far_side) / 2, (left + right) / 2};
 }
 
-/// add(i, j, q [N/m]) for what that cell has of the stiffening of the springs at its sides.
+/// Calls add(i, j, q [N/m]) for the sides of that cell, with its share of the stiffening of their springs.
 template <class Add>
 void for_each_stiffening_of_cell(const ClothModel& model, const Fabric& fabric, std::uint32_t near,
                                  const Add& add) {
@@ -112,8 +111,8 @@ void for_each_stiffening_of_cell(const ClothModel& model, const Fabric& fabric, 
     add(near + 1, far + 1, along_b);
 }
 
-/// add(i, j, stiffness [N/m], rest length [m]) for what the cell whose near left corner is `near` has of the
-/// springs at its sides and diagonals.
+/// Calls add(i, j, stiffness [N/m], rest length [m]) for the sides and diagonals of the cell whose near left
+/// corner is `near`, with its share of their springs.
 template <class Add>
 void for_each_part_of_cell(const ClothModel& model, const SheetModuli& moduli, std::uint32_t near,
                            const Add& add) {
@@ -132,9 +131,9 @@ void for_each_part_of_cell(const ClothModel& model, const SheetModuli& moduli, s
     add(near + 1, far, diagonal, rest(near + 1, far));
 }
 
-/// body(half-edge from i, half-edge from j, stiffness [N/m]) for each part of each spring
-/// (i, j): one for each cell or triangle that it is a side of. The stiffness of a spring is their sum, but no
-/// less than 0.
+/// Calls body(half-edge from i, half-edge from j, stiffness [N/m]) for each share of each spring (i, j): one
+/// for each cell or triangle that the spring is a side of. The stiffness of a spring is the sum of its
+/// shares, but no less than 0.
 template <class Body>
 void for_each_spring_part(const ClothModel& model, const Fabric& fabric, const Body& body) {
     const auto add = [&](std::uint32_t i, std::uint32_t j, double stiffness, double /*rest_length*/) {
@@ -152,7 +151,7 @@ void for_each_spring_part(const ClothModel& model, const Fabric& fabric, const B
             for_each_part_of_cell(model, moduli, row * model.columns + column, add);
 }
 
-/// Of each half-edge [N/m].
+/// Computes the stiffness of each half-edge's spring [N/m].
 void spring_stiffness(const ClothModel& model, const Fabric& fabric, std::span<float> stiffness) noexcept;
 
 }  // namespace weft

@@ -19,7 +19,7 @@ namespace weft::HWY_NAMESPACE {
 struct CoupledMatrix {
     const SpringMatrix& matrix;
     const Rings& rings;
-    float elastic;  ///< of tensions [s^2]
+    float elastic;  ///< factor of tensions [s^2]
 };
 
 namespace {
@@ -54,7 +54,7 @@ class LengthsInRings {
     }
 
   protected:
-    /// reached(axis, c), see stiffened().
+    /// Calls reached(axis, c) with the clamped strain c of each axis, see stiffened().
     template <class Reached>
     HWY_INLINE Pull<stiffens> pull(std::uint32_t place, bool is_a, Lanes own, Lanes other, Lanes third,
                                    const Reached& reached) const {
@@ -155,7 +155,7 @@ class Assembly : public LengthsInRings<stiffens> {
     }
 
   private:
-    /// Adds what bending pulls; its number in W.
+    /// Adds the bending force to the sums. Returns bending's coefficient in W.
     HWY_INLINE Lanes bend(std::uint32_t slot, const Lanes3& separation, const Lanes3& v) {
         if (!equations_.has_bending) return set(0);
         const Lanes weight = hn::Mul(set(equations_.rigidity), Base::bending(slot));
@@ -286,7 +286,7 @@ class ChangesInRings {
 
 }  // namespace
 
-/// For multiply_rows(), which finds it through its matrix's namespace.
+/// The row product of multiply_rows(), which finds it by argument-dependent lookup.
 HWY_INLINE Lanes3 row_product(const CoupledMatrix& of, std::uint32_t i, const RowsInMemory& x,
                               const Lanes3& x_i) {
     return whole_row(of.matrix, i, x_i, zero3() - ChangesInRings(of, i)(x.rows, x_i));
@@ -328,7 +328,7 @@ Products multiply(const SpringMatrix& matrix, const Rings& rings, float elastic,
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // compiled once, not for each instruction set
 namespace weft {
 
 HWY_EXPORT(linearise);

@@ -16,8 +16,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// RingLanes holds the addresses of the rings of the lanes from one particle on. A kernel has a copy of its
-/// own: after each store the compiler would load them from their owner again.
+/// RingLanes holds the addresses of the rings of the lanes from one particle on. Each kernel has its own
+/// copy: from their owner, the compiler would reload them after each store.
 struct RingLanes {
     HWY_INLINE RingLanes(const SpringMatrix& matrix, const Rings& rings, std::uint32_t i)
         : opening(matrix.group_places[i / Stencil::lanes]),
@@ -61,7 +61,7 @@ struct RingLanes {
 
     std::uint32_t opening, springs;  ///< the group's first place; slots with springs, which come first
     std::uint32_t first_slot, slots, lane;
-    std::size_t first_half;  ///< of the matrix, in the lane
+    std::size_t first_half;  ///< of the matrix's group, in the lane
     const std::uint32_t *nodes, *last;
     const std::uint16_t* closes;
     const float *numbers, *stiffening;
@@ -87,14 +87,14 @@ HWY_INLINE StiffenedLanes stiffened(Lanes strain) {
     return {c, hn::Mul(c, hn::Sub(hn::Add(strain, strain), c))};
 }
 
-/// `yes` in the lanes whose bit is set, which are the lowest.
+/// Selects `yes` in the lanes whose bit is set and `no` in the others. Bit k is that of lane k.
 HWY_INLINE Lanes where_bits(std::uint32_t bits, Lanes yes, Lanes no) {
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits & 255),
                                    static_cast<std::uint8_t>(bits >> 8 & 255)};
     return hn::IfThenElse(hn::LoadMaskBits(Tag(), bytes), yes, no);
 }
 
-/// The tension that triangles add to a spring; and, where they stiffen, its slope by the spring's length.
+/// The tension that triangles add to a spring and, if they stiffen, its derivative by the spring's length.
 template <bool stiffens>
 struct Pull {
     Lanes tension, slope;
@@ -112,7 +112,7 @@ struct Pull {
 /// The numbers of one axis, warp or weft, of a triangle that stiffens, as one of its sides at the particle
 /// uses them. Both ends of the side compute the same floats.
 struct AxisOfSide {
-    Lanes own, other, third;  ///< strain by the length of the side, of the other one and of the third
+    Lanes own, other, third;  ///< strain per length of the side, of the other one and of the third
     Lanes modulus;
 
     HWY_INLINE AxisOfSide(const RingLanes& rings, std::uint32_t place, std::uint32_t axis, bool is_a)
@@ -135,13 +135,13 @@ struct AxisOfSide {
 
 /// Goes round the rings of the lanes from a particle on. The `value` of a side is its length, or the change
 /// of its length. The visitor has
-///     side(place, to the neighbour), third(place, from a's end to b's): a side, a value
-///     open(place, side): the last neighbour's
-///     pull(place, is a, its value, the other's, the third's): what the place's triangle pulls along a or b
-///     spring(place, side, pull of both triangles)
-/// The next side is worked out before a spring is, else a processor would spend half its time on waiting for
-/// one root after the other. The third side is a difference of places, not of what lies between: so all three
-/// corners compute the same floats.
+///   side(place, to the neighbour), third(place, from a's end to b's): return a side and a value
+///   open(place, side): receives the side to the last neighbour
+///   pull(place, is a, its value, the other's, the third's): returns the triangle's Pull along a or b
+///   spring(place, side, pull of both triangles)
+/// The next side is computed ahead of a spring: waiting for one square root after the other would take half
+/// of the time. The third side is a difference of rows, not of separations: so all three corners compute the
+/// same floats.
 template <class Visitor>
 HWY_INLINE void go_round(const RingLanes& rings, const Vec4* rows, const Lanes3& own, Visitor& visitor) {
     if (rings.springs == 0) return;

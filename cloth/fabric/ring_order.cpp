@@ -38,7 +38,7 @@ class Fan {
     void look_at(std::uint32_t particle, const CutEdges& cut);
     /// Appends the particle's ring to the places and returns its opening.
     std::uint32_t list(std::vector<RingPlace>& places);
-    /// Cuts closed rings of the particle, unless there is one and nothing else.
+    /// Cuts closed rings of the particle, unless a single one is all that the particle has.
     void cut_open(std::uint32_t particle, CutEdges& cut);
 
   private:
@@ -54,7 +54,7 @@ class Fan {
     const ClothModel& model_;
     std::vector<Neighbour> neighbours_;
     std::vector<Corner> corners_;
-    std::uint32_t chains_ = 0, opening_ = none;  // the last closed ring's
+    std::uint32_t chains_ = 0, opening_ = none;  // of the last closed ring
     std::vector<std::uint32_t> closed_;          // the neighbour at which each closed ring begins
 };
 
@@ -62,8 +62,8 @@ Edge edge_between(std::uint32_t i, std::uint32_t j) {
     return {std::min(i, j), std::max(i, j)};
 }
 
-/// The place of the copy of an edge that takes one more triangle. Triangles come in ascending order, so both
-/// ends give each copy the same one.
+/// The index of the copy of an edge that gets one more triangle. Triangles come in ascending order, so both
+/// ends give each copy the same triangle.
 std::uint32_t Fan::copy_for(std::uint32_t particle, std::uint32_t neighbour, const CutEdges& cut,
                             std::uint32_t corner) {
     const std::uint32_t half_edge = half_edge_between(model_, particle, neighbour);
@@ -87,7 +87,7 @@ void Fan::look_at(std::uint32_t particle, const CutEdges& cut) {
     corners_.clear();
     for (std::uint32_t e = model_.spring_offsets[particle]; e < model_.spring_offsets[particle + 1]; ++e)
         if (model_.kinds[e] != SpringKind::bending) neighbours_.push_back({e, 0});
-    if (model_.rows > 0) return;  // its springs are those of cells
+    if (model_.rows > 0) return;  // a sheet's springs are sides of cells, not of triangles
     for (std::uint32_t c = model_.corner_offsets[particle]; c < model_.corner_offsets[particle + 1]; ++c) {
         const std::uint32_t t = model_.corner_triangles[c];
         const Triangle& triangle = model_.triangles[t];

@@ -23,9 +23,9 @@ struct RingPlace {
 /// RingOrder lists the rings of all particles of a model. Springs of no triangle, such as a sheet's, come
 /// last.
 ///
-/// An edge has one triangle or two, so what lies round a particle are chains and closed rings. A closed ring
-/// that is not all that its particle has is cut: one of its edges gets a copy for each of its triangles, at
-/// both ends. So where cones meet at their tips, a row still ends with what it began with or not at all.
+/// An edge has one triangle or two, so the triangles round a particle form chains and closed rings. A closed
+/// ring is cut unless it is all that its particle has: one of its edges gets a copy for each of its
+/// triangles, at both ends. So even where cones meet at their tips, a row is one closed ring or has none.
 struct RingOrder {
     explicit RingOrder(const ClothModel& model);
 
@@ -35,7 +35,7 @@ struct RingOrder {
     /// One past the last place of a particle's ring.
     [[nodiscard]] std::uint32_t end(std::uint32_t particle) const { return offsets[particle + 1]; }
 
-    std::vector<std::uint32_t> offsets;   ///< of each particle
+    std::vector<std::uint32_t> offsets;   ///< where each particle's places begin
     std::vector<RingPlace> places;        ///< those of particle i: [offsets[i], offsets[i + 1])
     std::vector<std::uint32_t> openings;  ///< the triangle between each ring's last and first place; or none
 };

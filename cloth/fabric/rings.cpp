@@ -117,7 +117,7 @@ void Rings::set_triangles(const ClothModel& model, const SpringMatrix& matrix,
 float Rings::set_stiffening(const ClothModel& model, std::uint32_t triangle, const TriangleMembrane& membrane,
                             const Fabric& fabric) noexcept {
     const TriangleStiffening stiffening = triangle_stiffening(model, triangle, fabric);
-    std::array<double, 3> pulled{};  // by strains at the end of the law, both axes at once
+    std::array<double, 3> pulled{};  // stiffness added where the law is steepest, by both axes [N/m]
     for (std::uint32_t axis = 0; axis < 2; ++axis) {
         const std::array<double, 3>& v = stiffening.strains[axis];
         double sum = 0, offset = 0;

@@ -28,7 +28,7 @@ class Rings {
     /// tension of a spring is `slope` times its length, less `at_zero`; and for each of its triangles `other`
     /// times the other side at the particle, and `third_a` or `third_b` times the third side.
     enum Number : std::uint32_t {
-        stiffness,  ///< the part of the slope that the matrix knows [N/m]
+        stiffness,  ///< the part of the slope that is in W [N/m]
         slope,      ///< [N/m]
         at_zero,    ///< [N]
         other,      ///< [N/m]
@@ -50,14 +50,14 @@ class Rings {
         per_rest_length,
         stiffening_count
     };
-    /// The last linearisation leaves these halves at each place: the unit directions to the neighbour and
-    /// along the third side; and the clamped strains of warp and weft as sides a and b see them.
+    /// The last linearisation stores these halves at each place: the unit directions to the neighbour and
+    /// along the third side; and the clamped strains of warp and weft as sides a and b compute them.
     static constexpr std::uint32_t directions_count = 6, reached_count = 4;
 
     Rings() = default;
-    /// `stiffens`: for fabrics that do, and others.
+    /// With `stiffens`, the rings serve fabrics that stiffen as well as others.
     Rings(const ClothModel& model, const RingOrder& order, const SpringMatrix& matrix, bool stiffens);
-    /// visit(list) and visit.value(number) for all that is constant.
+    /// Calls visit(list) and visit.value(number) for all that is constant.
     template <class Self, class Visit>
     static void for_each_list(Self& self, Visit& visit) {
         visit.value(self.stiffest_);
@@ -69,13 +69,13 @@ class Rings {
         visit(self.closes_);
         visit(self.corners_);
     }
-    /// Whether lists that were read fit so many places and entries, and name only what there is.
+    /// Whether lists read from a file have the sizes for so many places and entries, and valid indices.
     [[nodiscard]] bool is_sound(const ClothModel& model, std::size_t places, std::size_t entries,
                                 bool stiffens) const;
     void lay_out(Scratch& scratch);
-    /// Gives one that is a copy memory of its own for other fabrics. May run out of memory.
+    /// Gives a copy its own memory for the numbers of another fabric. May run out of memory.
     void make_own();
-    /// Takes O(springs). Precondition: make_own().
+    /// Computes the numbers that depend on the fabric, in O(springs). Precondition: make_own().
     void set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
 
     [[nodiscard]] bool empty() const noexcept { return last_.empty(); }
@@ -93,7 +93,7 @@ class Rings {
     [[nodiscard]] const std::uint16_t* reached() const noexcept { return reached_.data(); }
     [[nodiscard]] std::uint16_t* reached() noexcept { return reached_.data(); }
 
-    [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< however stretched [N/m]
+    [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< at any stretch [N/m]
     [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< B = 1 [1/m^2]
     [[nodiscard]] std::size_t bytes() const noexcept {
         return springs_.bytes() + stiffening_.bytes() + bending_.bytes() + last_.bytes() + closes_.bytes() +

@@ -21,9 +21,9 @@ struct EntryLanes {
     Lanes rest_length, stiffness, bending;
 };
 
-/// TableLanes holds the addresses of a table's lists. A kernel has a copy of its own: after each store the
-/// compiler would load them from the state again. `stiffens` is a template's, so that other springs do not
-/// pay.
+/// TableLanes holds the addresses of a table's lists. Each kernel has its own copy: from the state, the
+/// compiler would reload them after each store. `stiffens` is a template parameter, so that linear springs
+/// cost no more.
 template <bool stiffens>
 class TableLanes {
     using SlotKind = SpringTable::SlotKind;
@@ -40,8 +40,8 @@ class TableLanes {
         const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
         return slot.kind == SlotKind::same_bending ? set(slot.entry.bending) : load_lanes(bending_ + entry);
     }
-    /// The linear springs of the entries from one on, whose slot has springs, that pull as theirs do at a
-    /// length, and as steeply: spring_at(), lane by lane.
+    /// The linear springs that have the tension and slope of the entries' springs at a length: spring_at(),
+    /// lane by lane. Precondition: the entries' slot has springs.
     [[nodiscard]] HWY_INLINE EntryLanes springs(std::uint32_t entry, Lanes length) const {
         const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
         if constexpr (!stiffens) {
@@ -64,17 +64,17 @@ class TableLanes {
     const float *rest_lengths_, *stiffness_, *bending_, *stiffening_;
 };
 
-/// What a slot holds, in the lanes from particle `i` on.
+/// A slot of a diagonal, in the lanes from particle `i` on.
 struct Slot {
-    std::uint32_t number;  ///< of the diagonal
+    std::uint32_t number;  ///< index of the diagonal
     std::uint32_t entry;
     Lanes3 separation;
 };
 
-/// A grid: each particle looks at its springs to later ones, and gives these what they have of them.
+/// A grid's springs. Each particle computes its springs to later ones and passes their shares on to these.
 template <bool stiffens, std::uint32_t exchanged>
 class SpringsOfGrid {
-    static constexpr std::uint32_t position = 0, velocity = 1;  // of the loop's vectors
+    static constexpr std::uint32_t position = 0, velocity = 1;  // indices of the loop's vectors
 
   public:
     HWY_INLINE SpringsOfGrid(const SpringState& state, const BlockRange& range, GridWindow& window)
@@ -86,7 +86,7 @@ class SpringsOfGrid {
     HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
                               Vec4* right_side) {
         constexpr std::size_t in_slot = 4 * Stencil::lanes;
-        alignas(64) std::uint16_t not_stored[Diagonals::most * in_slot];  // in the halo, another tile's
+        alignas(64) std::uint16_t not_stored[Diagonals::most * in_slot];  // of the halo: another tile's rows
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
@@ -174,7 +174,7 @@ class SpringsOfGrid {
   private:
     HWY_INLINE void read_ahead() {
         loop_.read_ahead([this](std::uint32_t j) HWY_ATTR {
-            // The last group reads what fills it, behind the spans.
+            // The last group reads the padding behind the spans.
             const Lanes3 x = xyz(load_rows(state_.positions.data() + j)),
                          v = xyz(load_rows(state_.velocities.data() + j));
             return std::array<Lanes3, 2>{state_.time_ahead == 0 ? x : mul_add(set(state_.time_ahead), v, x),
@@ -188,9 +188,9 @@ class SpringsOfGrid {
         return springs_between(ends, hn::Mul(stiffness, hn::Sub(ends.length, of.rest_length)), stiffness,
                                state_.matrix, slot.entry, i);
     }
-    /// springs(slot, ends) along the diagonals of the lanes from particle `i` on that have any, bending(slot)
-    /// along the others. The ends of each slot are worked out while the one before is, else a processor would
-    /// spend half its time on waiting for one root after the other.
+    /// Calls springs(slot, ends) along the diagonals that have springs and bending(slot) along the others, in
+    /// the lanes from particle `i` on. The next slot's ends are computed ahead: waiting for one square root
+    /// after the other would take half of the time.
     template <class WithSprings, class Bending>
     HWY_INLINE void for_each_later(std::uint32_t i, const WithSprings& springs, const Bending& bending) {
         const Lanes3 x_i = loop_.own(position);
@@ -208,7 +208,7 @@ class SpringsOfGrid {
         for (d = 0; d < loop_.diagonals(); ++d)
             if (state_.matrix.isotropic[d]) bending({d, entry(d), loop_.later(position, d) - x_i});
     }
-    /// From `d` on. There are springs along the first diagonal.
+    /// Returns the first diagonal with springs from `d` on, or diagonals(). Diagonal 0 has springs.
     [[nodiscard]] HWY_INLINE std::uint32_t next_with_springs(std::uint32_t d) const {
         while (d < loop_.diagonals() && state_.matrix.isotropic[d]) ++d;
         return d;
@@ -240,7 +240,7 @@ void residual(const SpringState& state, const BlockRange& range, GridWindow& win
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // compiled once, not for each instruction set
 namespace weft {
 
 HWY_EXPORT(linearise);

@@ -1,6 +1,6 @@
 #pragma once
-// Forces of springs and their derivatives: the loops over particles, a block at a time, with the widest
-// vectors that the machine has. springs.h states what one spring does.
+// Forces of springs and their derivatives: loops over a block of particles at a time, with the widest
+// vectors that the machine has. springs.h defines the force of one spring.
 
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace weft {
 
-/// The springs, and the state of the cloth that they are looked at in. Vectors as in ImplicitSystem.
+/// The springs, and the state of the cloth at which they are evaluated. Vectors are as in ImplicitSystem.
 struct SpringState {
     const StepEquation& equation;
     const SpringMatrix& matrix;
@@ -22,19 +22,19 @@ struct SpringState {
     std::span<const float> bending_excess;  ///< see ClothModel
     std::span<const Vec4> positions;        ///< w inverse mass
     std::span<const Vec4> velocities;
-    float time_ahead = 0;  ///< of a grid: meant are positions + time_ahead x velocities [s]
+    float time_ahead = 0;  ///< grids evaluate at positions + time_ahead x velocities [s]
 };
 
-/// The rows of W and b of one block; see ImplicitSystem::linearise. Of a grid.
+/// Computes the rows of W and b of one block of a grid; see ImplicitSystem::linearise.
 void linearise_block(const SpringState& state, LinearisedAbout about, const BlockRange& range,
                      GridWindow& window, SpringMatrix& matrix, Vec4* right_side);
 void residual_block(const SpringState& state, const BlockRange& range, GridWindow& window, Vec4* residual);
 
-/// The same of rings, which take what a coupled product needs of the linearisation.
+/// The same for rings, which store what a coupled product needs of the linearisation.
 void linearise_rings(const SpringState& state, LinearisedAbout about, const BlockRange& range, Rings& rings,
                      SpringMatrix& matrix, Vec4* right_side);
 void residual_of_rings(const SpringState& state, const BlockRange& range, Vec4* residual);
-/// As multiply_block(), with what the sides of triangles do to one another in that linearisation, times
+/// Like multiply_block(), with the coupling of triangles' sides in that linearisation, times
 /// `elastic` [s^2].
 Products multiply_rings(const SpringMatrix& matrix, const Rings& rings, float elastic,
                         const BlockRange& range, const DottedWith& with, const Vec4* x, Vec4* product);

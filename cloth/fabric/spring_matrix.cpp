@@ -18,7 +18,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
-// Found by the loops through their vectors' namespace, so not in the file's own.
+// The loops find these by argument-dependent lookup, so they are not in the anonymous namespace.
 /// (a I + d d^T) v.
 HWY_INLINE Lanes3 times(const SpringBlockLanes& block, const Lanes3& v) {
     return mul_add(dot(block.d, v), block.d, block.a * v);
@@ -29,7 +29,7 @@ HWY_INLINE Lanes3 preconditioned(const SpringMatrix& matrix, std::uint32_t i, co
     return load_symmetric(&matrix.inverse_diagonal[lane_index(i, 0, 6)]) * v;
 }
 
-// Vectors, as a loop over a grid comes to their rows.
+// Vectors whose rows a loop over a grid reads or computes as it comes to them.
 
 struct InMemory {
     const Vec4* rows;
@@ -37,7 +37,7 @@ struct InMemory {
     HWY_INLINE Lanes3 operator()(std::uint32_t i) const { return xyz(load_rows(rows + i)); }
 };
 
-/// step D^-1 b.
+/// The vector step D^-1 b.
 struct FirstStep {
     const SpringMatrix& matrix;
     const Vec4* b;
@@ -46,7 +46,7 @@ struct FirstStep {
     HWY_INLINE Lanes3 operator()(std::uint32_t i) const { return first_step(matrix, i, b, step); }
 };
 
-/// step D^-1 b + P e.
+/// The vector step D^-1 b + P e.
 struct CorrectedFirstStep {
     FirstStep first;
     const Correction& correction;
@@ -76,7 +76,7 @@ class RowsOfGrid {
     }
     HWY_INLINE Lanes3 own(std::uint32_t /*i*/) const { return loop_.own(0); }
 
-    /// sum_j A_ij (x_i - x_j) in square units, for the lanes from particle `i` on; then it goes on.
+    /// Returns sum_j A_ij (x_i - x_j) in square units for the lanes from particle `i` on. Advances the loop.
     HWY_INLINE Lanes3 sum_of_springs(std::uint32_t i, const Lanes3& x_i) {
         Lanes3 sum = zero3();
         const auto take = [&sum](std::uint32_t /*d*/, const Given& given)
@@ -140,7 +140,7 @@ HWY_INLINE Lanes3 row_product(const SpringMatrix& matrix, std::uint32_t i, Rows&
 
 namespace {
 
-/// loop(rows of x).
+/// Calls loop(rows) with the rows of x: in memory, or in a grid's window.
 template <class Loop>
 HWY_INLINE auto with_rows(const SpringMatrix& matrix, const BlockRange& range, const Vec4* x,
                           GridWindow* window, const Loop& loop) {
@@ -186,7 +186,7 @@ void precondition(const SpringMatrix& matrix, const BlockRange& range, const Vec
     precondition_rows(matrix, range, b, step, x);
 }
 
-/// Whose d are there, for a slot.
+/// The halves of a slot, and whether d is stored among them.
 struct SlotHalves {
     const std::uint16_t* first;
     bool has_d;
@@ -216,7 +216,7 @@ void unpack(const SpringMatrix& matrix, const BlockRange& range, const std::uint
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // compiled once, not for each instruction set
 namespace weft {
 
 HWY_EXPORT(multiply);
@@ -227,7 +227,7 @@ HWY_EXPORT(relax_corrected);
 HWY_EXPORT(precondition);
 HWY_EXPORT(unpack);
 
-// Narrow vectors do not write all lanes of the last group, but in a grid read D^-1 b ahead to its end.
+// The last group is zeroed: narrow vectors do not write all of its lanes, but read D^-1 b ahead to its end.
 void SpringMatrix::lay_out(Scratch& scratch) {
     constexpr std::size_t of_group = std::size_t{6} * Stencil::lanes;
     scratch.take(coefficients, all_halves());

@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// How the ends of springs lie. What waits longest in a row of springs, a root and a division, is in here.
+/// The separation of springs' ends, with its length. The slow operations, a root and a division, are here.
 struct Ends {
     Lanes3 separation;
     Lanes squared, length, inverse_length;
@@ -29,9 +29,9 @@ HWY_INLINE Ends ends_apart(const Lanes3& separation) {
     return {separation, squared, length, hn::Div(set(1), length)};
 }
 
-/// The direction (x, y, z), but where the ends coincide, which is rare, one made from their numbers. Of the
-/// entries from one on, which are those of the lanes from particle `i` on. By value, so that the loops keep
-/// theirs in registers.
+/// Replaces the direction (x, y, z) by one made from the ends' numbers where the ends coincide, which is
+/// rare. Lane k is that of entry + k and particle i + k. Arguments are values, so that the loops keep theirs
+/// in registers.
 template <class Mask>
 HWY_NOINLINE Lanes3 with_separating_directions(Lanes x, Lanes y, Lanes z, Mask apart,
                                                const SpringMatrix& matrix, std::uint32_t entry,
@@ -60,12 +60,12 @@ struct Springs {
     Lanes stiffness;
 };
 
-/// The springs of the entries from one on, which are those of the lanes from particle `i` on.
+/// The springs of the lanes from entry `entry` and particle `i` on.
 HWY_INLINE Springs springs_between(const Ends& ends, Lanes tension, Lanes stiffness,
                                    const SpringMatrix& matrix, std::uint32_t entry, std::uint32_t i) {
     const auto apart = hn::Gt(ends.squared, set(1e-24f));
     Lanes3 direction = keep_where(apart, ends.inverse_length * ends.separation);
-    // Where ends coincide there is no spring, mostly.
+    // Mostly there is no spring where ends coincide.
     if (HWY_UNLIKELY(!hn::AllTrue(Tag(), apart)) &&
         !hn::AllTrue(Tag(), hn::Or(apart, hn::Eq(stiffness, set(0)))))
         direction =
@@ -75,7 +75,7 @@ HWY_INLINE Springs springs_between(const Ends& ends, Lanes tension, Lanes stiffn
 
 /// RowSums adds up the springs of each row.
 struct RowSums {
-    Lanes3 force;  ///< pulls
+    Lanes3 force;  ///< sum of pulls
     Lanes a;
     SymmetricLanes squares;
 
@@ -92,13 +92,13 @@ HWY_INLINE RowSums no_sums() {
 // implicitly too:
 //   W = M - gamma^2 J - gamma C,  b = M (v_base - v) + gamma (f + gamma J v about the base; f about the
 //   iterate).
-// Springs, and all sums over them, are in the matrix's units: stiffness and tension are `elastic` times
-// themselves, which is gamma^2 k there.
+// Springs, and all sums over them, are in the matrix's units: stiffness and tension are multiplied by
+// `elastic`, which is gamma^2 in these units.
 //
-// A spring under tension resists turning, whether it is stretched or being stretched: damping's tension
-// counts like the elastic one. Without it, iterates about themselves overshoot where damping is stiff, and
-// never come to rest. Tension that is negative would make W indefinite, and counts as none (Choi and Ko
-// 2002). Bending's Hessian is taken as it is, its negative weights too.
+// A spring under tension resists turning. Damping's tension counts like the elastic one: without it,
+// iterations about the iterate overshoot where damping is stiff, and never converge. Negative tension would
+// make W indefinite, and counts as none (Choi and Ko 2002). Bending's Hessian is used as it is, with its
+// negative weights.
 struct Linearisation {
     Linearisation(const SpringState& state, LinearisedAbout about)
         : about_base(about == LinearisedAbout::base),
@@ -111,13 +111,13 @@ struct Linearisation {
           per_gamma(1 / state.equation.gamma),
           viscosity(damping / state.equation.gamma) {}
 
-    /// Adds what springs pull to `force`; their blocks. Their other ends move at v, relative to their own.
+    /// Adds the springs' pulls to `force` and returns their blocks. Ends j move at v, relative to ends i.
     HWY_INLINE SpringBlockLanes add_force(const Springs& springs, const Lanes3& v, Lanes3& force) const {
         const Lanes viscous = hn::Mul(set(viscosity), springs.stiffness);
         Lanes push = hn::Mul(set(per_gamma), springs.tension);
         Lanes turning = hn::Mul(springs.tension, springs.per_length);
         if (about_base) {
-            // Where ends nearly coincide the pull is cut, to leave the matrix's halves room.
+            // The limit keeps blocks within the range of half precision where ends nearly coincide.
             turning = hn::Min(turning, hn::Mul(set(3), springs.stiffness));
             const Lanes axial = hn::Min(springs.stiffness, hn::Sub(springs.stiffness, turning));
             const Lanes a = hn::Sub(springs.stiffness, axial);
@@ -138,10 +138,10 @@ struct Linearisation {
         return {hn::Sub(hn::Add(springs.stiffness, viscous), along), hn::Sqrt(along) * springs.direction};
     }
 
-    /// Time by which bending looks ahead of positions: gamma about the base, and the damping [s].
+    /// Time by which bending extrapolates positions: gamma about the base, plus the damping [s].
     [[nodiscard]] HWY_INLINE float ahead() const { return (about_base ? 1 / per_gamma : 0) + damping; }
 
-    /// Rows of W and b, for the lanes from particle `i` on.
+    /// Stores the rows of W and b for the lanes from particle `i` on.
     HWY_INLINE void finish(const SpringState& state, std::uint32_t i, const Lanes3& v_i, const RowSums& sums,
                            SpringMatrix& matrix, Vec4* right_side) const {
         const Row row = external_row(state.equation, i, load_rows(&state.positions[i]).w, v_i);

@@ -158,7 +158,7 @@ void SpringSystem::linearise(Parallel& parallel, const StepEquation& equation,
     matrix_.set_unit((equation.gamma + fabric.damping) * equation.gamma * stiffest);
     constant_scale_ = (equation.gamma + fabric.damping) * equation.gamma * equation.rigidity;
     matrix_.contacts = begin_contacts(equation);
-    // About the base the right side has W's slope, and the matrix must, too.
+    // About the base, b contains W's slope without the coupling, so the matrix must be W alone.
     const bool is_coupled = about == LinearisedAbout::iterate && model_->rows == 0;
     coupling_ = is_coupled ? equation.gamma * equation.gamma : 0;
     blocks_in_tiles(parallel, model_->particle_count, windows_,
@@ -183,7 +183,7 @@ void SpringSystem::residual(Parallel& parallel, const StepEquation& equation,
                     });
 }
 
-// The coupling of triangles' sides is no part of W. A pass that did not know it would leave all of it.
+// The coupling of triangles' sides is no part of W. A pass without it would leave its whole residual.
 Products SpringSystem::multiply_coupled_rows(const BlockRange& range, const DottedWith& with, const Vec4* x,
                                              Vec4* product, GridWindow* window) const {
     if (coupling_ == 0) return multiply_rows(range, with, x, product, window);

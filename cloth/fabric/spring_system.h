@@ -10,18 +10,18 @@
 
 namespace weft {
 
-/// What of a SpringSystem is constant, as long as its fabric's membrane is.
+/// The parts of a SpringSystem that are constant as long as its fabric's membrane is.
 struct SavedSprings {
     Stencil stencil;
     SharedBuffer<std::uint32_t> places;  ///< SpringMatrix::group_places
-    /// As SpringMatrix::isotropic, a bit each.
+    /// SpringMatrix::isotropic, a bit for each diagonal.
     std::uint32_t isotropic = 0;
-    Fabric membrane{.areal_density = -1};  ///< whose membrane it is; none yet
+    Fabric membrane{.areal_density = -1};  ///< the fabric of the springs; none yet
     SpringTable table;
     Rings rings;
-    Diagonals diagonals;  ///< saved nowhere: they are the model's
+    Diagonals diagonals;  ///< not saved: the model determines them
 
-    /// visit(list) and visit.value(number) for all that is saved.
+    /// Calls visit(list) and visit.value(number) for all that is saved.
     template <class Self, class Visit>
     static void for_each_list(Self& self, Visit& visit) {
         visit.value(self.stencil.nodes);
@@ -36,24 +36,24 @@ struct SavedSprings {
         SpringTable::for_each_list(self.table, visit);
         Rings::for_each_list(self.rings, visit);
     }
-    /// Whether lists that were read are of this model, as far as memory goes.
+    /// Whether lists that were read have the sizes and indices that this model needs.
     [[nodiscard]] bool is_sound(const ClothModel& model, bool stiffens) const;
     [[nodiscard]] std::size_t entries() const noexcept {
         return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
     }
 };
 
-/// A sheet's; empty where it is no sheet, or a large one of so few rows that threads would have nothing to
-/// share.
+/// A sheet's diagonals; empty for a general mesh, and for a large sheet of so few rows that threads would
+/// have nothing to share.
 [[nodiscard]] Diagonals diagonals_of(const ClothModel& model);
 
 /// Row i:  D_i dv_i - sum_j A_ij dv_j = b_i,  D_i = r_i I + G_i + sum_j A_ij,  A_ij = gamma^2 K_ij + gamma c
 /// n n^T = a I + d d^T.
 class SpringSystem final : public ImplicitSystem {
   public:
-    /// `stiffens`: for fabrics that do, and others.
+    /// With `stiffens`, the system serves fabrics that stiffen as well as others.
     explicit SpringSystem(const ClothModel& model, bool stiffens = false);
-    /// Without memory of its own.
+    /// Makes a system of saved lists, without scratch of its own.
     SpringSystem(const ClothModel& model, SavedSprings&& saved);
     [[nodiscard]] std::optional<SavedSprings> springs() const override;
     [[nodiscard]] std::unique_ptr<ImplicitSystem> clone(const ClothModel& model) const override;
@@ -101,12 +101,12 @@ class SpringSystem final : public ImplicitSystem {
 
     const ClothModel* model_;
     SpringMatrix matrix_;
-    Fabric membrane_{.areal_density = -1};  // whose springs these are; none yet
+    Fabric membrane_{.areal_density = -1};  // the fabric of the springs; none yet
     SpringTable table_;                     // of a grid
     Rings rings_;                           // of any other mesh
     float constant_scale_ = 0;
-    float coupling_ = 0;            // gamma^2 of the last linearisation about an iterate, on meshes
-    ScratchArray<Vec4> positions_;  // of rings: x_base + gamma v; in a grid added up on the way
+    float coupling_ = 0;            // gamma^2 of the last linearisation about an iterate, on meshes; else 0
+    ScratchArray<Vec4> positions_;  // x_base + gamma v, for rings; a grid computes these as it reads
 };
 
 }  // namespace weft

@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// body(half-edge, entry) for the half-edges that have one: those to later particles.
+/// Calls body(half-edge, entry) for the half-edges that have an entry: those to later particles.
 template <class Body>
 void for_each_entry(const ClothModel& model, const SpringMatrix& matrix, const Body& body) {
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -21,29 +21,29 @@ void for_each_entry(const ClothModel& model, const SpringMatrix& matrix, const B
     }
 }
 
-/// Of one spring, and of the bending between its ends. Bending is of rigidity 1.
+/// One spring, and the bending of rigidity 1 between its ends.
 struct SpringEntry {
     float rest_length;  ///< [m]
     float stiffness;    ///< [N/m]
     float bending;      ///< [1/m^2]
 };
 
-/// Entry by entry; and by slots of 16 where all lanes have the same, as most of a sheet's do.
+/// Numbers are stored per entry, and once per slot of 16 where all lanes agree, as most of a sheet's do.
 class SpringTable {
   public:
     SpringTable() = default;
-    /// `stiffens`: for fabrics that do.
+    /// With `stiffens`, the table serves fabrics that stiffen as well as others.
     SpringTable(const ClothModel& model, const SpringMatrix& matrix, bool stiffens = false);
-    /// Gives a table that is a copy memory of its own for another fabric's membrane. May run out of memory.
+    /// Gives a copy its own memory for another fabric's membrane. May run out of memory.
     void make_own();
-    /// Takes O(springs). Precondition: make_own().
+    /// Computes the springs of a fabric, in O(springs). Precondition: make_own().
     void set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
     [[nodiscard]] bool empty() const noexcept { return slots_.empty(); }
 
     enum class SlotKind : std::uint32_t {
-        mixed,         ///< look at each lane
-        same,          ///< all lanes are as SlotEntry says
-        same_bending,  ///< likewise, and there is no spring
+        mixed,         ///< lanes differ
+        same,          ///< all lanes are as Slot::entry says
+        same_bending,  ///< all lanes have Slot::entry's bending and no spring
         bending,       ///< no spring in any lane
     };
     struct Slot {
@@ -54,12 +54,12 @@ class SpringTable {
     [[nodiscard]] const float* rest_lengths() const noexcept { return rest_lengths_.data(); }
     [[nodiscard]] const float* stiffness() const noexcept { return stiffness_.data(); }
     [[nodiscard]] const float* bending() const noexcept { return bending_.data(); }
-    /// q [N/m], see spring_at(); null: they do not stiffen.
+    /// q [N/m], see spring_at(); null: the springs do not stiffen.
     [[nodiscard]] const float* stiffening() const noexcept { return stiffening_.data(); }
 
-    [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< however stretched [N/m]
-    [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< of B = 1 [1/m^2]
-    /// visit(list) and visit.value(number) for all that it has.
+    [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< at any stretch [N/m]
+    [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< B = 1 [1/m^2]
+    /// Calls visit(list) and visit.value(number) for all lists and numbers.
     template <class Self, class Visit>
     static void for_each_list(Self& self, Visit& visit) {
         visit.value(self.stiffest_);
@@ -70,7 +70,7 @@ class SpringTable {
         visit(self.stiffening_);
         visit(self.slots_);
     }
-    /// Whether lists that were read are of so many entries.
+    /// Whether lists that were read have the sizes for so many entries, and valid kinds.
     [[nodiscard]] bool is_sound(std::size_t entries, bool stiffens) const;
 
     [[nodiscard]] std::size_t bytes() const noexcept {

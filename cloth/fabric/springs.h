@@ -1,5 +1,5 @@
 #pragma once
-// Springs: their forces, and the derivatives of these.
+// Springs: their forces, and the derivatives of the forces.
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A row of W from what its springs sum up to. Included as cloth/equation/sparse/stencil-inl.h is.
+// A row of W x from the sum over its springs. Included as cloth/equation/sparse/stencil-inl.h is.
 
 #if defined(WEFT_CLOTH_FABRIC_WHOLE_ROW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_FABRIC_WHOLE_ROW_INL_H

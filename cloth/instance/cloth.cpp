@@ -21,13 +21,13 @@ std::vector<std::uint32_t> particles_of(std::span<const Pin> pins) {
     return particles;
 }
 
-// Features are never let nearer than this part of the radius. Smaller gaps would go on shrinking until
+// Least gap of features, as a fraction of the contact radius. Smaller gaps would go on shrinking until
 // rounding crosses them.
 constexpr float floor_per_radius = 2e-3f / 0.3f;
 
 /// The floor of a cloth with slivers is half of their height, but no less than a fiftieth of what it would
-/// be. Features that rest nearer than the floor may part and never come back: that would draw slivers out,
-/// step by step, and throw the cloth about.
+/// be. Features that rest nearer than the floor may move apart and never return: slivers would stretch, step
+/// by step, and throw the cloth about.
 float floor_of(const ContactMesh& mesh, float radius) {
     const float floor = floor_per_radius * radius;
     return std::clamp(0.5f * mesh.least_height(), 0.02f * floor, floor);
@@ -38,7 +38,7 @@ float distance_of(const ClothModel& model, const SelfCollision& of) {
     return of.distance > 0 ? of.distance : part * model.info.mean_edge;
 }
 
-/// Room for those that are in the equation.
+/// Capacity for the pairs of features that are in the equation.
 std::size_t pairs_in_equation(const ClothModel& model, const SelfCollision& of) {
     return has_features(of) && !has_zones(of) ? FeatureContact::room_for_pairs(model.particle_count) : 0;
 }
@@ -47,8 +47,8 @@ bool has_avoidance(const SelfCollision& settings) {
     return settings.enabled && settings.method == SelfCollisionMethod::avoidance;
 }
 
-/// Where a search takes features to lie at rest: a grid's flat pattern, by its first row and column, whose
-/// calm parts it passes over; else where the cloth started.
+/// The mesh of features, with the rest positions by which searches pass over calm parts: of a grid its flat
+/// pattern, by its first row and column; of other meshes the positions at which the cloth started.
 std::shared_ptr<const ContactMesh> mesh_of_features(const ClothModel& model) {
     if (model.rows < 2 || model.columns < 2)
         return std::make_shared<const ContactMesh>(model.positions.span(), model.triangles);
@@ -65,8 +65,8 @@ std::shared_ptr<const ContactMesh> mesh_of_features(const ClothModel& model) {
     return std::make_shared<const ContactMesh>(flat.span(), model.triangles);
 }
 
-/// Springs, or their part that are edges of triangles or cross a grid's cells: contact bends cloth round as
-/// far as these let it.
+/// Rest neighbours along springs. For features bending springs do not count, only edges of triangles and
+/// diagonals of a grid's cells: contact lets cloth bend as far as these allow.
 Result<RestNeighbours> find_rest_neighbours(const ClothModel& model, const SelfCollision& settings) {
     std::vector<std::uint32_t> offsets, neighbours;
     std::vector<float> lengths;
@@ -150,7 +150,7 @@ bool Cloth::is_second_order(const ClothSettings& of, const Solver& with) const {
     return resolved(of.time_scheme, of.method) == TimeScheme::bdf2 && with.is_implicit();
 }
 
-/// Null if the present one serves.
+/// A new solver; null if the present one serves.
 std::unique_ptr<Solver> Cloth::solver_for(const ClothSettings& changed) const {
     if (solver->serves(changed) && changed.fabric.bending_ratio == settings.fabric.bending_ratio)
         return nullptr;
@@ -287,7 +287,7 @@ std::size_t Cloth::scratch_of_steps(Solver& with, bool second_order, const SelfC
     return scratch.bytes() + weft::scratch_bytes(weft::has_features(of) ? mesh : nullptr, has_zones(of));
 }
 
-/// All or none.
+/// Reserves room for pairs. If that fails, a cloth without pairs in its equation has none reserved.
 void Cloth::reserve_pairs(Solver& with) const {
     or_undo([&] { with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count)); },
             [&] {
@@ -308,7 +308,7 @@ std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const Clo
 void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_colliders) noexcept {
     has_colliders_ = any_colliders;
     if (made) {
-        const bool goes_on = contacts.has_value();  // of another make
+        const bool goes_on = contacts.has_value();  // only with or without pairs: held contact stays
         contacts = std::move(made->contacts);
         if (!goes_on) state.held = std::move(made->held);
     }
@@ -383,7 +383,7 @@ void Cloth::pin(std::span<const std::uint32_t> particles) {
     std::vector<Pin> pins = state.pins;
     pins.reserve(pins.size() + particles.size());
     for (const std::uint32_t i : particles) pins.push_back({i, xyz(state.positions[i])});
-    // Of two pins of one particle the earlier stays.
+    // If a particle is pinned twice, the earlier pin stays.
     std::ranges::stable_sort(pins, {}, &Pin::particle);
     const auto again = std::ranges::unique(pins, {}, &Pin::particle);
     pins.erase(again.begin(), again.end());
@@ -434,7 +434,7 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
     state.pins = std::move(pins);
     wake();
     land();
-    // What it did as a pin says nothing about how it goes on: BDF2 would give it a part of its weight only.
+    // A pin's motion says nothing about the free particle's: BDF2 would give it only a part of its weight.
     if (any_released) state.record.h = 0;
 }
 

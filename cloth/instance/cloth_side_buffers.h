@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// The arrays of a cloth's ClothSide: the settings times the maps, multiplied once, when either changes,
+/// The arrays of a cloth's ClothSide: settings times maps. The products are stored whenever either changes,
 /// since each pass of each substep reads them.
 struct ClothSideBuffers {
     explicit ClothSideBuffers(std::uint32_t particles) : thickness(particles), friction(particles) {}

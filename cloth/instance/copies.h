@@ -1,5 +1,5 @@
 #pragma once
-// Particles that lie in one place at rest, as along a cut.
+// Particles that coincide at rest, as along a cut.
 
 #include <optional>
 #include <vector>
@@ -9,15 +9,16 @@
 
 namespace weft {
 
-/// Which particles springs join, and what parted as well: else avoidance would drive a cut's lips apart.
+/// Graph of the springs, with an edge between each two coincident particles: without these, avoidance would
+/// drive the lips of a cut apart.
 struct JoinsWithCopies {
     std::vector<std::uint32_t> offsets, neighbours;
-    std::vector<float> lengths;  ///< 0 between what parted [m]
+    std::vector<float> lengths;  ///< 0 between coincident particles [m]
 
     [[nodiscard]] RestGraph graph() const noexcept { return {offsets, neighbours, lengths}; }
 };
 
-/// None: no two particles lie in one place.
+/// None: no two particles coincide.
 [[nodiscard]] std::optional<JoinsWithCopies> joins_with_copies(const ClothModel& model);
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// A cloth that goes on as another was: see World::recut_cloth.
+// A cloth that continues from the state of another one: see World::recut_cloth.
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ namespace {
 
 using Sources = std::span<const std::uint32_t>;
 
-/// Nothing where one of them has no such list.
+/// Copies each source's element; does nothing if either cloth has no such list.
 template <class T>
 void gather(const AlignedBuffer<T>& from, Sources sources, AlignedBuffer<T>& to) {
     if (from.size() == 0 || to.size() != sources.size()) return;
@@ -25,7 +25,7 @@ AlignedBuffer<T> gathered(std::span<const T> from, Sources sources) {
     return to;
 }
 
-/// Whether it is the same cloth, particle by particle.
+/// Whether both are the same cloth, particle by particle.
 bool are_the_same(const ClothModel& a, const ClothModel& b, Sources sources) {
     if (a.fingerprint != b.fingerprint || a.particle_count != b.particle_count) return false;
     for (std::uint32_t i = 0; i < sources.size(); ++i)
@@ -43,7 +43,7 @@ void gather_skin(const SkinState& from, Sources sources, SkinState& to) {
 
 }  // namespace
 
-// Where a particle is as it was, its area stays what it was, to the last bit.
+// A particle whose area without map is unchanged keeps its area with map, to the last bit.
 void Cloth::take_areas(const Cloth& before, Sources sources) {
     if (before.areas_without_map.size() == 0) return;
     SharedBuffer<float> areas(std::as_const(model.rest_area).span());
@@ -134,7 +134,8 @@ void Cloth::go_on_from(const Cloth& before, Sources sources, std::size_t collide
     if (!is_same) part_copies(sources);
 }
 
-// Contact holds features still that lie in one place: it cannot tell which way is apart.
+// Moves copies of a particle apart, into their triangles: contact cannot tell on which side coincident
+// features belong, and would hold them still.
 void Cloth::part_copies(Sources sources) {
     const float way = 2 * as_body().floor;
     std::vector<std::uint32_t> counts(sources.empty() ? 0 : std::ranges::max(sources) + 1);

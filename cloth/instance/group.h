@@ -15,22 +15,22 @@ namespace weft {
 
 struct Cloth;
 
-/// A group's cloths in the order in which a part of a substep solves them, and what it makes of each. Cloths
-/// that are one equation follow one another: a set. All arrays are scratch.
+/// A group's cloths in the order in which a part of a substep solves them, and the data of each cloth's
+/// solve. The cloths of one equation are consecutive: a set. All arrays are scratch.
 struct Group {
     void lay_out(Scratch& scratch, std::size_t count);
 
-    ScratchArray<Cloth*> cloths;        ///< set by set; what follows is in this order, too
-    ScratchArray<Cloth*> featured;      ///< those that have features, in the group's order, and
-    ScratchArray<ContactCloth> bodies;  ///< these as bodies in contact
+    ScratchArray<Cloth*> cloths;        ///< set by set; equations, steps, members, residuals are parallel
+    ScratchArray<Cloth*> featured;      ///< cloths that have features, in the order given, and
+    ScratchArray<ContactCloth> bodies;  ///< the same cloths as bodies in contact
     ScratchArray<StepEquation> equations;
     ScratchArray<SolverStep> steps;
     ScratchArray<PassMember> members;
     ScratchArray<float> residuals;
     std::size_t featured_count = 0;
-    FeatureContact contact;  ///< of these, if there are any
+    FeatureContact contact;  ///< of the featured cloths, if there are any
 
-    /// Lists those of the group's cloths that have features, and each as a body in contact.
+    /// Lists the cloths of the group that have features, each also as a body in contact.
     void add_featured(std::span<Cloth* const> group);
     [[nodiscard]] std::span<Cloth* const> all_featured() const {
         return featured.span().first(featured_count);
@@ -40,8 +40,8 @@ struct Group {
     }
 };
 
-/// Bytes of scratch that features take in a group of one cloth, and at most add to what a group takes. `mesh`
-/// is theirs, or null.
+/// Bytes of scratch of a group of one cloth with this mesh of features, or null. A cloth adds at most as many
+/// to a larger group.
 [[nodiscard]] std::size_t scratch_bytes(const ContactMesh* mesh, bool by_zones) noexcept;
 
 }  // namespace weft

@@ -17,7 +17,7 @@ struct Overload : Makers... {
     using Makers::operator()...;
 };
 template <class... Makers>
-Overload(Makers...) -> Overload<Makers...>;  // which clang does not deduce by itself before 17
+Overload(Makers...) -> Overload<Makers...>;  // needed by clang before 17
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which class each method is.
+// Makes the solver of a method.
 
 #include <memory>
 
@@ -13,8 +13,8 @@ struct SavedLevels;
 /// particles. The model must outlive it.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                                   std::span<const Vec4> positions);
-/// `saved`: levels of the model and of the settings' system, or null. They are used up; the solver then is of
-/// use to be cloned alone.
+/// `saved`: levels of the model and of the settings' system, or null. They are moved from; the solver is then
+/// a prototype, only to be cloned.
 [[nodiscard]] std::unique_ptr<Solver> make_solver(const ClothModel& model, const ClothSettings& settings,
                                                   std::span<const Vec4> positions, SavedLevels* saved);
 

@@ -1,4 +1,4 @@
-// Maps per vertex, as a cloth takes them over. Where memory runs out nothing has changed.
+// Sets a cloth's maps of values per vertex. If memory runs out, nothing has changed.
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ void Cloth::set_map(Map map, AlignedBuffer<float>&& values, const MakeRoom& make
         set_worn_map(map, std::move(values));
 }
 
-/// For the model as it now is, with all that its steps need.
+/// Makes the solver anew for the changed model, with all that its steps need.
 void Cloth::remake_solver(const MakeRoom& make_room) {
     std::unique_ptr<Solver> made = make_solver(model, settings, state.positions.span());
     made->reserve_pins(state.pins.size());
@@ -100,7 +100,7 @@ void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
         },
         [&] {
             std::swap(present, values);
-            if (!worn.has_limits()) worn.reserve(model.particle_count);  // none: frees
+            if (!worn.has_limits()) worn.reserve(model.particle_count);  // no limits: frees
         });
 
     // From here on nothing can fail.
@@ -112,7 +112,7 @@ void Cloth::set_worn_map(Map map, AlignedBuffer<float>&& values) {
     if (skin.normals.size() > 0) {
         state.skin.normals = std::move(skin.normals);
         state.skin.target_normals = std::move(skin.target_normals);
-        state.skin.known = 0;  // till normals are told
+        state.skin.known = 0;  // until the host sets normals
     }
     if (worn.backstop.size() == 0) {
         state.skin.normals = {};

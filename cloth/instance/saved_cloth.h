@@ -1,5 +1,5 @@
 #pragma once
-// What is constant of a cloth beside its model, as it was read.
+// Constant data of a cloth besides its model, as read from a file.
 
 #include <memory>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// Each of a cloth whose settings ask for it. What is missing is made, by whoever takes these.
+/// Each member is of a cloth whose settings need it. Cloth's constructor makes those that are missing.
 struct SavedCloth {
     Surface surface;
     std::optional<SavedLevels> levels;                ///< of the settings' system

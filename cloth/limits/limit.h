@@ -17,29 +17,29 @@ class Limit {
   public:
     virtual ~Limit() = default;
 
-    /// Takes the memory that other pins need, aside: commit() takes it over. May run out of memory; then
-    /// nothing has changed. Pins ascend.
+    /// Allocates what other pins need, for commit() to take over. May run out of memory; then nothing has
+    /// changed. Precondition: pins ascend.
     virtual void prepare(const ClothModel& model, std::span<const std::uint32_t> pins) = 0;
     virtual void commit() noexcept = 0;
-    /// Brings the limit up to the pins of the last commit(), without memory of its own. A step calls it
-    /// before hold(), so that any number of changes between two steps are worked out only once.
+    /// Brings the limit up to the pins of the last commit(), without allocating. A step calls it before
+    /// hold(), so that any number of changes between two steps are computed only once.
     virtual void update(const ClothModel& model) noexcept = 0;
-    /// The same for another cloth of the model; what is constant is shared.
+    /// Makes the limit for another cloth of the model. Constant data is shared.
     [[nodiscard]] virtual std::unique_ptr<Limit> clone() const = 0;
 
-    /// Puts particles back that are beyond the limit, and takes the velocity at which they leave it.
+    /// Moves particles beyond the limit back to it, and removes the velocity at which they leave it.
     virtual void hold(Parallel& parallel, const ClothSettings& settings, std::span<Vec4> positions,
                       std::span<Vec4> velocities) const = 0;
     [[nodiscard]] virtual std::size_t bytes() const noexcept = 0;
 };
 
-/// In the order in which they hold.
+/// Limits in the order in which they are applied.
 using Limits = std::vector<std::unique_ptr<Limit>>;
 
-/// Those that the settings ask for. Pins ascend.
+/// Makes the limits that the settings ask for. Precondition: pins ascend.
 [[nodiscard]] Limits make_limits(const ClothModel& model, const ClothSettings& settings,
                                  std::span<const std::uint32_t> pins);
-/// Whether both settings ask for the same ones.
+/// Whether both settings ask for the same limits.
 [[nodiscard]] bool have_same_limits(const ClothSettings& a, const ClothSettings& b);
 
 }  // namespace weft

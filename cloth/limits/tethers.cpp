@@ -9,7 +9,7 @@ namespace weft {
 
 namespace {
 
-/// Pins and their holds: those that structural springs join are one. Precondition: pins ascend.
+/// Pins and their holds: pins that structural springs join form one. Precondition: pins ascend.
 std::vector<GeodesicSource> group_pins(const ClothModel& model, std::span<const std::uint32_t> pins) {
     std::vector<GeodesicSource> sources;
     for (const std::uint32_t pin : pins) sources.push_back({pin, GeodesicReach::none});

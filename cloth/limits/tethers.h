@@ -1,6 +1,6 @@
 #pragma once
-// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from the nearest pins than
-// the way along the cloth, whatever a solver has left unsolved.
+// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle is further from the nearest pins than
+// the way along the cloth, whatever residual a solver leaves.
 //
 // Pins that springs join form one hold. A particle has a tether to the nearest pin of each of its four
 // nearest holds. A tether to one hold alone would let the cloth stretch between particles that follow
@@ -25,25 +25,25 @@ class LongRangeAttachments final : public Limit {
 
     explicit LongRangeAttachments(const ClothModel& model) : geodesics_(model) {}
 
-    /// The first change after a step is worked out here, so that the step has nothing to do for it. Further
-    /// ones before the next step only take the memory that update() needs.
+    /// The first change of pins after a step is computed here, so that the step need not compute it. Further
+    /// changes before the next step only allocate what update() needs.
     void prepare(const ClothModel& model, std::span<const std::uint32_t> pins) override;
     [[nodiscard]] std::unique_ptr<Limit> clone() const override;
     void commit() noexcept override;
     void update(const ClothModel& model) noexcept override;
 
-    /// Particles beyond `slack` times their distance are put back to it, and lose the velocity at which they
-    /// leave their pin. Where tethers contradict each other, the nearest pin's holds.
+    /// Moves particles beyond `slack` times their tether's length back to that distance, and removes the
+    /// velocity at which they leave their pin. Where tethers contradict each other, the last layer's holds.
     void hold(Parallel& parallel, float slack, std::span<Vec4> positions, std::span<Vec4> velocities) const;
     void hold(Parallel& parallel, const ClothSettings& settings, std::span<Vec4> positions,
               std::span<Vec4> velocities) const override {
         hold(parallel, settings.tethers.slack, positions, velocities);
     }
 
-    /// One tether of each particle. All particles take their holds in the same order. If each took its
-    /// nearest hold last, say, neighbours would follow different holds and part.
+    /// One tether of each particle. All particles list their holds in the same order. With its nearest hold
+    /// last, say, each particle would follow another hold than its neighbours, and separate from them.
     struct Layer {
-        AlignedBuffer<std::uint32_t> pins;  ///< of each particle; none: it has fewer
+        AlignedBuffer<std::uint32_t> pins;  ///< of each particle; none: it has fewer tethers
         AlignedBuffer<float> lengths;       ///< [m]
     };
     /// Precondition: update() has been called since the last commit().
@@ -55,7 +55,7 @@ class LongRangeAttachments final : public Limit {
     struct Prepared {
         std::vector<GeodesicSource> sources;
         std::size_t layer_count = 0;
-        Layers layers{};  // without memory: the present one stays
+        Layers layers{};  // a layer without memory: the present one stays
         bool is_outdated = false;
     };
 
@@ -66,7 +66,7 @@ class LongRangeAttachments final : public Limit {
     std::size_t layer_count_ = 0;
     std::vector<GeodesicSource> sources_;
     bool is_outdated_ = false;  // the layers are not those of the sources
-    bool has_changed_ = false;  // since the last update()
+    bool has_changed_ = false;  // pins have changed since the last update()
     Prepared prepared_;
 };
 

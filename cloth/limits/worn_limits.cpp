@@ -9,11 +9,11 @@ namespace weft {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-// A leash so short lets nothing slide [m].
+// Leashes shorter than this let nothing slide [m].
 constexpr float holds_fast = 1e-3f;
-constexpr float sticks = 1e6f;      // a friction
-constexpr float beyond_all = 1e6f;  // [m]
-// Rounding is less [m].
+constexpr float sticks = 1e6f;      // friction of such leashes
+constexpr float beyond_all = 1e6f;  // limits from here on count as none [m]
+// Lags up to this may be rounding [m].
 constexpr float least_lag = 1e-6f;
 
 Vector3 across(const Vector3& n) {
@@ -22,13 +22,13 @@ Vector3 across(const Vector3& n) {
 
 }  // namespace
 
-/// One particle's limits at the substep's end; y is from its place.
+/// One particle's limits at the substep's end. Positions y are relative to its place.
 struct WornLimits::Bounds {
     Vector3 place, velocity;                                      // [m], [m/s]
-    Vector3 normal = Vector3::Zero(), turning = Vector3::Zero();  // the normal, and how it changes [1/s]
+    Vector3 normal = Vector3::Zero(), turning = Vector3::Zero();  // the normal, and its rate of change [1/s]
     float leash, offset, radius;                                  // [m]
 
-    /// From the surface of the backstop, outwards [m].
+    /// Signed distance from the backstop's surface, positive outside [m].
     [[nodiscard]] float gap(const Vector3& y) const {
         if (radius == infinity) return normal.dot(y) + offset;
         const float depth = offset + radius, squared = y.squaredNorm();
@@ -44,7 +44,7 @@ struct WornLimits::Bounds {
     [[nodiscard]] bool is_beyond(const Vector3& y) const { return y.squaredNorm() > leash * leash; }
     [[nodiscard]] bool is_behind(const Vector3& y) const { return offset < infinity && gap(y) < 0; }
 
-    /// Where leash and backstop meet, on the side of y.
+    /// The point where leash and backstop intersect, on the side of y.
     [[nodiscard]] Vector3 edge(const Vector3& y) const {
         const float along = radius == infinity
                                 ? -offset
@@ -74,14 +74,14 @@ struct WornLimits::Bounds {
         return {edge(y), true, true};
     }
 
-    /// What is left of a velocity there.
+    /// The velocity that a held particle keeps of v: it neither leaves the leash nor enters the backstop.
     [[nodiscard]] Vector3 slide(const Held& held, const Vector3& v) const {
         const float length = held.y.norm();
         const Vector3 e = length > 0 ? Vector3(held.y / length) : Vector3::Zero();
         const Vector3 m = outwards(held.y);
         const float surface = radius == infinity
                                   ? -turning.dot(held.y)
-                                  : -(offset + radius) * turning.dot(m);  // its speed along m, besides
+                                  : -(offset + radius) * turning.dot(m);  // its speed along m, by turning
         Vector3 relative = v - velocity;
         if (held.by_leash && length == 0) return velocity;
         const auto leaves = [&] { return held.by_leash ? std::max(e.dot(relative), 0.0f) : 0.0f; };
@@ -90,7 +90,7 @@ struct WornLimits::Bounds {
         };
         relative -= leaves() * e;
         relative -= enters() * m;
-        if (leaves() > 0) {  // into the edge: only along it
+        if (leaves() > 0) {  // both limits bind: only motion along their edge is left
             const Vector3 edge = e.cross(m);
             const float squared = edge.squaredNorm();
             relative = squared > 0 ? Vector3(edge * (edge.dot(relative) / squared)) : Vector3::Zero();
@@ -123,7 +123,7 @@ void WornLimits::begin(const SkinState& skin, float end, float dt) noexcept {
 
 WornLimits::Bounds WornLimits::bounds_of(std::uint32_t i) const noexcept {
     const Vector3 from = xyz(places_[i]), to = xyz(targets_[i]);
-    // What begins or ends farther off than anything goes does neither.
+    // Values from beyond_all on count as infinite.
     const auto far_is_none = [](const AlignedBuffer<float>& values, std::uint32_t k) {
         return values.size() > 0 && values[k] < beyond_all ? values[k] : infinity;
     };

@@ -1,11 +1,11 @@
 #pragma once
 // Limits of cloth that is worn: a leash round each particle's place on the skin, and a backstop behind it.
-// Both hold at the end of a substep whatever came before, and are in the equation, too, as surfaces that
-// particles press on: else only what they hold would know of them, and be drawn into them by what it carries.
+// Both hold at the end of a substep, whatever the solver leaves. Both are also surfaces in the equation that
+// particles press on: otherwise the cloth that hangs from a held particle would draw it into the limit.
 //
 // With place p and normal n at the substep's end, a particle x is kept where
 //     |x - p| <= leash   and   |x - c| >= r,   c = p - (offset + r) n;   r infinite: n . (x - p) >= -offset.
-// p itself, or the point of the leash before it, is always there: offset >= -leash.
+// The set is never empty: since offset >= -leash, it has p, or the point of the leash in front of p.
 
 #include <cstdint>
 #include <span>
@@ -19,7 +19,7 @@
 
 namespace weft {
 
-/// By how much limits had to give way.
+/// Particles beyond their limits at the end of a step, and their greatest distance from these.
 struct LimitLag {
     std::uint32_t particles = 0;
     float most = 0;  ///< [m]
@@ -32,10 +32,10 @@ class WornLimits final : public OwnSurfaces {
     AlignedBuffer<float> leash, backstop, backstop_radius;
 
     [[nodiscard]] bool has_limits() const noexcept { return leash.size() > 0 || backstop.size() > 0; }
-    /// What else the limits need, or no more of it. May throw.
+    /// Allocates what the limits need besides maps; frees it where there are no limits. May throw.
     void reserve(std::uint32_t particles);
 
-    /// A substep begins, or a part of one, of a step of dt seconds: it ends after that part of the step.
+    /// Begins a substep, or a part of one, that ends after the fraction `end` of a step of dt seconds.
     void begin(const SkinState& skin, float end, float dt) noexcept;
     /// Whether there are limits, and the host has said where the skin is.
     [[nodiscard]] bool is_holding() const noexcept { return has_limits() && is_known_; }
@@ -44,9 +44,9 @@ class WornLimits final : public OwnSurfaces {
     [[nodiscard]] bool holds(std::uint32_t particle) const noexcept override {
         return by_limit_.size() > 0 && by_limit_[particle] != 0;
     }
-    /// The substep ends: puts back what is beyond, and takes the velocity at which it goes on there.
+    /// Ends the substep: moves particles beyond limits back, and removes their velocity out of these.
     void hold(Parallel& parallel, std::span<Vec4> positions, std::span<Vec4> velocities) const;
-    /// At the end of the step.
+    /// The lag at the end of the step.
     [[nodiscard]] LimitLag lag(Parallel& parallel, std::span<const Vec4> positions) noexcept;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
@@ -58,7 +58,7 @@ class WornLimits final : public OwnSurfaces {
     struct Bounds;
     [[nodiscard]] Bounds bounds_of(std::uint32_t particle) const noexcept;
 
-    AlignedBuffer<std::uint8_t> by_limit_;  // whether a limit is what the particle is nearest to
+    AlignedBuffer<std::uint8_t> by_limit_;  // whether the particle's nearest surface is a limit
     AlignedBuffer<LimitLag> partials_;      // by block
     std::span<const Vec4> places_, targets_, normals_, target_normals_;
     float end_ = 1, per_second_ = 0;

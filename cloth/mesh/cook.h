@@ -1,5 +1,5 @@
 #pragma once
-// Cooking: what is computed from a mesh once, and read by every step.
+// Cooking: the data that is computed once from a mesh, and read by every step.
 
 #include <array>
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace weft {
 
-/// What joins two particles: springs along edges and threads, springs across a grid's cells, or bending
+/// The link of two particles: a spring along an edge or thread, a spring across a grid's cell, or bending
 /// alone.
 enum class SpringKind : std::uint8_t { structural, shear, bending };
 
 constexpr float least_bending_ratio = 0.01f, greatest_bending_ratio = 100;
 
-/// The rest model of a cloth: copies share all of it. Never changes after cooking, but for maps. Lists are in
-/// compressed rows: those of particle i are [offsets[i], offsets[i + 1]), in ascending order of what they
-/// name, which is the order in which they are summed.
+/// The rest model of a cloth, which copies share. It never changes after cooking, except by maps. Lists are
+/// in compressed rows: those of particle i are [offsets[i], offsets[i + 1]). Rows ascend by the indices that
+/// they hold, and are summed in this order.
 struct ClothModel {
     std::uint32_t particle_count = 0;
     std::uint32_t rows = 0, columns = 0;  ///< of a grid, as in Mesh; 0: a general mesh
@@ -29,7 +29,7 @@ struct ClothModel {
     SharedBuffer<float>
         rest_area;  ///< a third of the rest area of the particle's triangles [m^2]; 0 for loose particles
 
-    SharedBuffer<float> stiffness;  ///< factor of the membrane's at each particle; empty: 1, see Map
+    SharedBuffer<float> stiffness;  ///< factor of membrane stiffness at each particle; empty: 1, see Map
 
     /// Springs, each stored at both its ends (half-edges), so that a particle gathers all that acts on it.
     SharedBuffer<std::uint32_t> spring_offsets;
@@ -39,7 +39,7 @@ struct ClothModel {
     float bending_ratio = 1;  ///< Fabric::bending_ratio that `bending` is made for
     /// Linear bending of rigidity 1 N m: the force on i is the sum of weights times (x_j - x_i) [1/m^2].
     SharedBuffer<float> bending;
-    /// What bending's diagonal in relaxation has beyond the sum of its weights, so that it bounds half of the
+    /// Excess of bending's diagonal in relaxation over the sum of its weights, by which it bounds half of the
     /// Hessian: sum of k |c_i| (S - |c_i|) over elements, S being half the sum of their |c| [1/m^2].
     SharedBuffer<float> bending_excess;
 
@@ -59,26 +59,26 @@ struct ClothModel {
     /// number.
     SharedBuffer<Triangle> vertex_triangles;
     ClothInfo info;                 ///< mass and bytes are filled in by the cloth
-    std::uint32_t fingerprint = 0;  ///< of which triangles there are, and how particles are numbered
+    std::uint32_t fingerprint = 0;  ///< hash of the triangles, and of the particles' numbers
 };
 
-/// Of the lists of a model that has them all.
+/// Computes ClothModel::fingerprint. Precondition: the model has all of its lists.
 [[nodiscard]] std::uint32_t fingerprint_of(const ClothModel& model);
 
-/// The corner at which a triangle has a particle. Precondition: it has it.
+/// The corner at which a triangle has a particle. Precondition: it has the particle.
 [[nodiscard]] inline std::uint32_t corner_at(const Triangle& triangle, std::uint32_t particle) {
     return triangle[0] == particle ? 0 : triangle[1] == particle ? 1 : 2;
 }
 
-/// Precondition: i and j have a half-edge.
+/// The half-edge from particle i to j. Precondition: they have one.
 [[nodiscard]] std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j);
-/// Of that half-edge [m].
+/// The rest length of the half-edge from particle i to j [m]. Precondition: they have one.
 [[nodiscard]] inline double rest_length_between(const ClothModel& model, std::uint32_t i, std::uint32_t j) {
     return static_cast<double>(model.rest_lengths[half_edge_between(model, i, j)]);
 }
 
-/// Error: see build_topology; or rows and columns whose numbering or triangles are not a grid's. `report`, if
-/// there is one, is filled. `progress` is told of the first part of cooking, up to `modelled`.
+/// Cooks a mesh. Error: see build_topology; or rows and columns whose numbering or triangles are not a
+/// grid's. Fills `report` unless it is null. Reports to `progress` the first part of cooking, to `modelled`.
 [[nodiscard]] Result<ClothModel> cook(const Mesh& mesh, float bending_ratio = 1, CookReport* report = nullptr,
                                       const Progress& progress = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// How far from the origin cloth may be.
+// The greatest distance of cloth from the origin.
 
 namespace weft {
 

@@ -1,5 +1,5 @@
 #pragma once
-// How large a mesh may be.
+// Limits of the size of a mesh.
 
 #include <cstddef>
 
@@ -10,14 +10,14 @@ namespace weft {
 inline constexpr std::size_t most_vertices = std::size_t{1} << 26;
 inline constexpr std::size_t most_triangles = std::size_t{1} << 27;
 
-/// Triangles that may meet at one particle: what a solver prepares grows with the square of their number.
+/// The most triangles at one particle: the data that a solver prepares grows with the square of their number.
 inline constexpr std::size_t most_triangles_at_particle = 1024;
 
 /// The least rest area of a triangle [m^2], the square of a tenth of a micrometre. With the least density its
 /// particles weigh 1e-19 kg, whose inverse a float holds with room for its square.
 inline constexpr double least_area = 1e-14;
 
-/// A triangle lower than this part of its longest edge has no area, but for the rounding of its coordinates.
+/// Least height of a triangle over its longest edge. The area of a lower one may be rounding of coordinates.
 inline constexpr double least_relative_height = 1e-6;
 
 }  // namespace weft

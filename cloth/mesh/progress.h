@@ -1,12 +1,12 @@
 #pragma once
-// How far cooking is, for the host to see.
+// The progress of cooking, as the host receives it.
 
 #include "engine/memory/without_exceptions.h"
 #include "weft/cooked_cloth.h"
 
 namespace weft {
 
-/// Stages of cooking end at these parts of it, which are rough.
+/// The constants are the parts of cooking that are done when its stages end. They are rough.
 class Progress {
   public:
     static constexpr float welded = 0.1f, ordered = 0.2f, joined = 0.3f, stored = 0.4f, modelled = 0.5f,
@@ -19,8 +19,8 @@ class Progress {
         return {ErrorCode::cancelled, "cooking was cancelled by CookProgress::report"};
     }
 
-    /// Refuses where the host cancels. Without exceptions cooking goes on, and whoever asked for it drops
-    /// what it made.
+    /// Reports a part to the host; throws a Refusal if the host cancels. Without exceptions cooking goes on,
+    /// and its caller drops the result.
     void reach(float part) const {
         if (host_.report == nullptr || is_cancelled_ || host_.report(host_.user, part) || part >= done)
             return;

@@ -24,7 +24,7 @@ void advance_block(const StepEquation& equation, const Advance& change, const Bl
     const Lanes gamma = hn::Set(Tag(), equation.gamma);
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         const PackedRows v = limited(load_packed(&change.solved[i]), change.max_speed);
-        const PackedRows x = mul_add(gamma, v, load_packed(&equation.base_positions[i]));  // w stays: 0 in v
+        const PackedRows x = mul_add(gamma, v, load_packed(&equation.base_positions[i]));  // keeps w: v.w 0
         if (StepRecord* const record = change.record) {
             store_packed(x - load_packed(&equation.positions[i]), &record->displacements[i]);
             store_packed(v - load_packed(&equation.velocities[i]), &record->velocity_changes[i]);
@@ -44,7 +44,7 @@ void limit_block(const BlockRange& range, float max_speed, Vec4* velocities) {
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // independent of the SIMD target
 namespace weft {
 
 HWY_EXPORT(advance_block);

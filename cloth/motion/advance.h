@@ -1,5 +1,5 @@
 #pragma once
-// The end of a substep: from the velocities that were solved for to new positions.
+// The end of a substep: integrates the solved velocities to new positions.
 
 #include <span>
 
@@ -10,20 +10,20 @@
 
 namespace weft {
 
-/// What a substep changes; all in AlignedBuffers.
+/// Input and output of advance(). All spans are of AlignedBuffers.
 struct Advance {
     std::span<const Vec4> solved;  ///< velocities at the end of the substep [m/s], w 0
-    float max_speed;               ///< what is faster is slowed down to it [m/s]
+    float max_speed;               ///< solved velocities are clamped to it [m/s]
     std::span<Vec4> velocities;    ///< those of the equation, which are overwritten
-    std::span<Vec4> positions;     ///< the new ones
-    StepRecord* record;            ///< what BDF2 is to know of the substep; null without it
+    std::span<Vec4> positions;     ///< at the end of the substep [m]
+    StepRecord* record;            ///< record of the substep for BDF2; null with other time schemes
 };
 
-/// Takes the solved velocities over, then x = x_base + gamma v (Kang, eq. 1, where x_base is x and gamma is
-/// h).
+/// Stores the solved velocities v and the positions x = x_base + gamma v (Kang, eq. 1, where x_base is x and
+/// gamma is h).
 void advance(Parallel& parallel, const StepEquation& equation, const Advance& change);
 
-/// What is faster is slowed down to `max_speed` [m/s]. `velocities` are in an AlignedBuffer.
+/// Clamps velocities to the length `max_speed` [m/s]. `velocities` are in an AlignedBuffer.
 void limit_speeds(Parallel& parallel, float max_speed, std::span<Vec4> velocities);
 
 }  // namespace weft

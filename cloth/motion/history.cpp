@@ -14,10 +14,10 @@
 #define WEFT_CLOTH_MOTION_HISTORY_TYPES
 namespace weft {
 
-/// What the kernel reads, and the bases that it writes.
+/// Rows that the kernel reads, and the bases that it writes.
 struct BaseRows {
-    const Vec4 *positions, *velocities;                       // the present ones
-    const Vec4 *displacements, *velocity_changes, *arrivals;  // recorded
+    const Vec4 *positions, *velocities;                       // at present
+    const Vec4 *displacements, *velocity_changes, *arrivals;  // of the last step
     Vec4 *base_positions, *base_velocities;
 };
 
@@ -28,8 +28,8 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-// x_base = x_n + (x_n - x_n-1) / divisor, and v likewise. A pinned particle's bases are such that x_base +
-// gamma v is x_n + h v. `last` is the length of the recorded step.
+// x_base = x_n + (x_n - x_n-1) / divisor, and v_base from v alike. A pinned particle's bases are such that
+// x_base + gamma v is x_n + h v. `last` is the length of the recorded step.
 void make_bases(const BaseRows& rows, const BlockRange& range, float last, float divisor) {
     const Tag d;
     const Lanes kept = hn::Set(d, 1.0f / divisor), zero = hn::Zero(d);
@@ -53,15 +53,15 @@ void make_bases(const BaseRows& rows, const BlockRange& range, float last, float
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // independent of the SIMD target
 namespace weft {
 
 HWY_EXPORT(make_bases);
 
 namespace {
 
-/// A collider has stopped the particles that it holds along its normal: a change that the next step must not
-/// go on with. Along the surface they slide on as they did.
+/// Bases of particles on a collider, without the normal component of their recorded velocity change: the
+/// collider caused it, and the next step must not extrapolate it. Tangential changes are kept.
 void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange& range, float divisor) {
     if (state.held.touching.size() == 0) return;
     for (std::uint32_t i = range.begin; i < range.end && i < state.size(); ++i) {
@@ -73,7 +73,7 @@ void forget_held(const ClothState& state, const BaseRows& rows, const BlockRange
     }
 }
 
-/// The mean, by mass, of the velocity changes of particles that are free.
+/// Mass-weighted mean of the recorded velocity changes of free particles.
 class MeanChange {
   public:
     explicit MeanChange(const ClothState& state) : state_(state) {}
@@ -91,16 +91,16 @@ class MeanChange {
     double mass_ = 0;
 };
 
-/// A longer step after a shorter one is extrapolated from it by this ratio at most. Growth by 1 + sqrt(2) a
-/// step, for ever, is where variable-step BDF2 stops being zero-stable (Grigorieff 1983).
+/// Greatest ratio h / last that is extrapolated in full. Variable-step BDF2 stops being zero-stable where
+/// steps keep growing by 1 + sqrt(2) (Grigorieff 1983).
 constexpr double greatest_ratio = 2;
 
 }  // namespace
 
 // Variable-step BDF2 (Grigorieff 1983; Hairer, Norsett, Wanner 1993, III.5), r = h / last:
 //     x_base = x_n + r^2 / (1 + 2r) (x_n - x_n-1),   gamma = h (1 + r) / (1 + 2r).
-// Beyond the greatest ratio x_n - x_n-1 keeps the factor that it has there, and gamma is what straight motion
-// asks for: the shorter the last step was, the nearer to backward Euler.
+// Beyond the greatest ratio the factor of x_n - x_n-1 stays constant, and gamma keeps straight motion exact:
+// the shorter the last step was, the nearer to backward Euler.
 Bdf bdf_after(float last, float h, float least_gamma) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     if (!(last > 0)) return {h, infinity};
@@ -131,7 +131,7 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
         change = to_vec4(xyz(change) - own, 0);
         forgotten += own.cast<double>() / static_cast<double>(state.positions[i].w);
     });
-    // What they have together is as before.
+    // The common momentum of the touching particles stays as recorded.
     const Vector3 kept = (forgotten / mean.mass()).cast<float>();
     for_each_pushed([&](std::uint32_t i, const Vector3& /*n*/) {
         Vec4& change = state.record.velocity_changes[i];

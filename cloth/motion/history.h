@@ -1,5 +1,5 @@
 #pragma once
-// BDF2's bases: where a step starts from, by how each particle came here.
+// BDF2's bases: the start of a step, extrapolated from each particle's last step.
 
 #include <limits>
 #include <span>
@@ -15,27 +15,27 @@ namespace weft {
 /// Coefficients of one step: backward Euler (BDF1) or BDF2, see StepEquation.
 struct Bdf {
     float gamma;    ///< [s]
-    float divisor;  ///< of x_n - x_n-1 in x_base; infinity: backward Euler
+    float divisor;  ///< x_base = x_n + (x_n - x_n-1) / divisor; infinity: backward Euler
 
     [[nodiscard]] bool is_second_order() const noexcept {
         return divisor < std::numeric_limits<float>::infinity();
     }
 };
-/// For a step of h seconds after one of `last`; 0: there was none, or the path broke after it. Cloths that
-/// are solved together have one gamma. One above BDF2's, up to h, makes the step of first order, and keeps as
-/// much of the last step as that leaves room for.
+/// Coefficients of a step of h seconds after one of `last` seconds; last = 0: no step precedes, or the path
+/// broke after it. Cloths that are solved together share one gamma. A least_gamma above BDF2's, up to h,
+/// makes the step first order; its divisor keeps straight motion exact.
 [[nodiscard]] Bdf bdf_after(float last, float h, float least_gamma = 0);
 
-/// Of the last step's velocity changes, forgets what stopped features that touch: the part along the impulse
-/// of contact on a particle, but for what those that touch changed by together. Going on with it would make
-/// layers bounce off each other. The rows number the cloth's particles from `first` on.
+/// Removes contact's part from the recorded velocity changes: the component along a particle's contact
+/// impulse, relative to the mean change of all touching particles. Extrapolating that part would make layers
+/// bounce off each other. The rows number the cloth's particles from `first` on.
 void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state);
 
-/// Of the last step's velocity changes, keeps what all particles that move have in common: gravity, and what
-/// free cloth has as a whole.
+/// Replaces the recorded velocity changes by their mean over all particles that can move: gravity's change,
+/// and that of free cloth as a whole.
 void forget_own_changes(ClothState& state);
 
-/// The bases of one step, which are made from the record of the last one.
+/// The bases of one step, made from the record of the last step.
 class History {
   public:
     void lay_out(Scratch& scratch, std::uint32_t particles) {
@@ -43,10 +43,10 @@ class History {
         scratch.take(base_velocities_, particles);
     }
 
-    /// Computes the bases of a step of second order from the present state and its record. A particle that is
-    /// not where the last step left it has met something: it is taken to have come in a straight line at its
-    /// present velocity. So is one that a collider holds, and what its velocity changed by along the normal
-    /// is not gone on with, or cloth that lands would bounce.
+    /// Computes the bases of a second-order step from the present state and its record. A particle that is
+    /// not where the last step left it was moved by contact or a limit: its displacement is taken to be its
+    /// present velocity times the last step's length. The same holds for a particle on a collider, whose
+    /// velocity change along the normal is not extrapolated either: cloth that lands would bounce.
     void begin(Parallel& parallel, const ClothState& state, float divisor);
     [[nodiscard]] std::span<const Vec4> base_positions() const { return base_positions_.span(); }
     [[nodiscard]] std::span<const Vec4> base_velocities() const { return base_velocities_.span(); }

@@ -26,7 +26,7 @@ void turn_vectors(std::span<Vec4> vectors, const BlockRange& range, const RigidM
     for (std::uint32_t i = range.begin; i < range.end; ++i) set_xyz(vectors[i], by.vector(xyz(vectors[i])));
 }
 
-/// Of a part that goes on in the frame's own world at `common` while the rest turns with it.
+/// Turns vectors about `common`: v <- common + A (v - common).
 void turn_about(std::span<Vec4> vectors, const BlockRange& range, const RigidMotion& by,
                 const Eigen::Vector3d& common) {
     if (vectors.empty()) return;
@@ -46,21 +46,21 @@ void kick_outwards(const Carried& carried, const BlockRange& range, ClothState& 
     }
 }
 
-/// The cloth itself, without its velocities.
+/// Moves positions, arrivals and contact normals, but no velocities.
 void move_cloth(const RigidMotion& by, const BlockRange& range, ClothState& state) {
     move_points(state.positions.span(), range, by);
     move_points(state.record.arrivals.span(), range, by);
     turn_vectors(state.held.normals.span(), range, by);
 }
 
-/// The cloth and its present skin, without where they are to go.
+/// Moves the cloth and its present skin, but not their targets.
 void move_present(const RigidMotion& by, const BlockRange& range, ClothState& state) {
     move_cloth(by, range, state);
     move_points(state.skin.places.span(), range, by);
     turn_vectors(state.skin.normals.span(), range, by);
 }
 
-/// Velocities and what is read of the last step.
+/// Moves velocities, normals, previous positions and BDF2's record.
 void move_past(const RigidMotion& by, const BlockRange& range, ClothState& state) {
     move_points(state.previous_positions.span(), range, by);
     for (AlignedBuffer<Vec4>* vectors :
@@ -117,8 +117,8 @@ void arrive(FrameState& frame, float dt, bool in_one_part, float max_speed) noex
     const Eigen::Vector3d way = wide(frame.target.translation) - wide(frame.pose.translation);
     const double speed = way.norm() / static_cast<double>(dt), most = static_cast<double>(max_speed);
     const Eigen::Vector3d velocity = way / static_cast<double>(dt) * (speed > most ? most / speed : 1);
-    // Pins change their velocity in the first part of a step. The last part's record has that change if it is
-    // the only one.
+    // Pins change their velocity in the first part of a step. The record is of the last part, so it has that
+    // change only in steps of one part.
     frame.velocity_change = in_one_part ? narrow(velocity - wide(frame.velocity)) : Vec3{};
     frame.velocity = narrow(velocity);
     frame.pose = frame.target;

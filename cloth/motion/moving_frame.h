@@ -1,14 +1,14 @@
 #pragma once
-// Cloth in a moving frame that is to feel only a part of the frame's acceleration.
+// Cloth in a moving reference frame, with only a part of the frame's inertial forces.
 //
-// The frame goes from the origin o to o + d and turns by Rot(n, a) in a step of h. Its cloth lives in a world
-// in which it goes by s d and turns by Rot(n, e a), s and e being FrameInertia::linear and angular: so it
-// feels s times the acceleration of its origin, e times Euler's and Coriolis', and e^2 times the centrifugal
-// one. The rest carries the cloth as it is, before the step:
+// In a step of h the frame's origin o moves to o + d, and the frame turns by Rot(n, a). The cloth is
+// simulated as if the frame moved by s d and turned by Rot(n, e a), s and e being FrameInertia::linear and
+// angular: s times the origin's acceleration acts on it, e times Euler's and Coriolis', and e^2 times the
+// centrifugal one. The rest of the frame's motion transports the cloth rigidly before the step:
 //     x <- o + (1 - s) d + A (x - o),   A = Rot(n, (1 - e) a)
 //     v <- u + A (v - u),               u = s times the velocity of the origin in the last step
-// and what is left of the centrifugal acceleration is a kick: v <- v + h (c - e^2) (w^2 r - (w . r) w), c
-// being FrameInertia::centrifugal, w = n a / h, r the way from the frame's axis.
+// The rest of the centrifugal acceleration is a kick: v <- v + h (c - e^2) (w^2 r - (w . r) w), c being
+// FrameInertia::centrifugal, w = n a / h, and r the position relative to the moved origin.
 
 #include <optional>
 
@@ -22,30 +22,31 @@ struct ClothState;
 struct FrameState;
 class Parallel;
 
+/// How a frame transports its cloth before a step.
 struct Carried {
-    RigidMotion by;                    ///< of all points
-    Eigen::Vector3d velocity, change;  ///< u, and what it had changed by [m/s]
-    Eigen::Vector3d origin;            ///< of the frame, once carried [m]
+    RigidMotion by;                    ///< motion of all points
+    Eigen::Vector3d velocity, change;  ///< u, and its change in the last step [m/s]
+    Eigen::Vector3d origin;            ///< of the frame, after the transport [m]
     Eigen::Vector3d spin;              ///< w [1/s]
     double outwards = 0;               ///< h (c - e^2) [s]
-    bool moves = false;                ///< else there is a kick alone
+    bool moves = false;                ///< false: there is the kick alone
 };
 
-/// What a step of dt seconds begins with; none if nothing is to be done.
+/// The transport before a step of dt seconds; none if there is neither motion nor kick.
 [[nodiscard]] std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& inertia, float dt);
-/// Does it to a cloth before a step.
+/// Applies the transport to a cloth, before a step.
 void carry(Parallel& parallel, const Carried& carried, ClothState& state);
-/// At its end: puts where it began back to where the last one had ended.
+/// At the end of the step: moves previous_positions back to where the last step ended.
 void leave_start_behind(Parallel& parallel, const Carried& carried, ClothState& state);
-/// A step of dt seconds has ended, taken by the cloth in one part or in several: the frame is where it was to
-/// be. Nothing it carries counts as faster than max_speed.
+/// Ends a step of dt seconds, which the cloth took in one part or in several: the frame is at its target. Its
+/// velocity is clamped to max_speed.
 void arrive(FrameState& frame, float dt, bool in_one_part, float max_speed) noexcept;
 
 [[nodiscard]] Collider moved(const Collider& collider, const RigidMotion& by);
 
-/// A teleport of all that a cloth's state holds.
+/// Teleports all that a cloth's state holds.
 void move_all(Parallel& parallel, const RigidMotion& by, ClothState& state);
-/// A teleport of the cloth, while its pins' targets, its skin and its frame stay.
+/// Teleports the cloth, while its pins' targets, its skin and its frame stay.
 void move_alone(Parallel& parallel, const RigidMotion& by, ClothState& state);
 
 }  // namespace weft

@@ -1,6 +1,6 @@
 #pragma once
-// A rigid motion of what a cloth's state holds, in double precision: a cloth that turns about a far point
-// keeps its shape.
+// Rigid motions of a cloth's state, in double precision: a cloth that turns about a far point keeps its
+// shape.
 
 #include <Eigen/Geometry>
 
@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// Points go to turn x + shift, vectors to turn x.
+/// Maps a point x to turn x + shift, and a vector x to turn x.
 struct RigidMotion {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();
@@ -28,7 +28,7 @@ struct RigidMotion {
 
 [[nodiscard]] RigidMotion rigid_motion(const Transform& by);
 
-/// The pose of what `by` has moved.
+/// A pose after the rigid motion `by`.
 [[nodiscard]] Transform moved(const Transform& pose, const RigidMotion& by);
 
 }  // namespace weft

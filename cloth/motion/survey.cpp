@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Of one coordinate, lane by lane.
+/// Range of one coordinate, lane by lane.
 struct Extent {
     Lanes lower, upper;
 
@@ -41,7 +41,7 @@ struct SurveyLanes {
         y.add(position.y);
         z.add(position.z);
         peak_speed_squared = hn::Max(peak_speed_squared, speed_squared);
-        // Written so that not-a-number fails.
+        // Comparisons are such that NaN fails them.
         const auto is_near = [](Lanes coordinate) {
             return hn::Le(hn::Abs(coordinate), hn::Set(Tag(), runaway_distance));
         };
@@ -57,7 +57,7 @@ Survey survey_block(const BlockRange& range, const Vec4* positions, const Vec4* 
     SurveyLanes found = {nowhere, nowhere, nowhere, zero, hn::Eq(zero, zero)};
     std::uint32_t i = range.begin;
     for (; i + part_lanes <= range.end; i += part_lanes) found.add(positions + i, velocities + i);
-    if (i < range.end) {  // what lies behind the last particle is none: that one again
+    if (i < range.end) {  // padding of the last group: the last particle again
         alignas(64) Vec4 last_positions[part_lanes], last_velocities[part_lanes];
         for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
             const std::uint32_t from = std::min(i + lane, range.end - 1);
@@ -76,7 +76,7 @@ Survey survey_block(const BlockRange& range, const Vec4* positions, const Vec4* 
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // independent of the SIMD target
 namespace weft {
 
 HWY_EXPORT(survey_block);

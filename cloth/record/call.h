@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// Recordings keep the numbers: a new one goes to the end.
+/// Recordings store these numbers: a new call goes to the end.
 enum class Call : std::uint32_t {
     create,  ///< the first record: World::create
     end,     ///< the last record
@@ -51,7 +51,7 @@ enum class Call : std::uint32_t {
     last = recut_cloth,
 };
 
-/// As a host calls it.
+/// The call's name in the interface.
 [[nodiscard]] constexpr const char* name_of(Call call) {
     constexpr const char* names[] = {"create",
                                      "the end",

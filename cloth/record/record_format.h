@@ -1,7 +1,7 @@
 #pragma once
-// How a recording is laid out: a mark and a version, then records, each a head and what a call was given.
-// Little-endian, without padding; a list is its length in 64 bits and its items, one of several kinds the
-// number of the kind in 32 bits and the value.
+// Layout of a recording: a mark and a version, then records, each a head and the arguments of a call.
+// Little-endian, without padding. A list is its length in 64 bits and its items; a variant is the number of
+// its alternative in 32 bits and the value.
 
 #include <array>
 #include <bit>
@@ -26,7 +26,7 @@ namespace weft {
 
 static_assert(std::endian::native == std::endian::little, "recordings are copied as they lie in memory");
 
-/// Another number for each change of what follows, fields.h included.
+/// Raised with each change of the format below, fields.h included.
 inline constexpr std::uint32_t recording_version = 4;
 inline constexpr std::array<char, 8> recording_mark = {'W', 'E', 'F', 'T', 'R', 'E', 'C', 'D'};
 
@@ -39,10 +39,10 @@ static_assert(std::has_unique_object_representations_v<RecordingHead>);
 
 struct RecordHead {
     std::uint32_t call = 0;
-    std::uint32_t number = 0;    ///< of the record, from 0: none is missing
-    std::uint64_t bytes = 0;     ///< that follow
-    std::uint64_t hash = 0;      ///< of these
-    std::uint64_t own_hash = 0;  ///< of all above
+    std::uint32_t number = 0;    ///< of the record, from 0 without gaps
+    std::uint64_t bytes = 0;     ///< of the arguments, which follow
+    std::uint64_t hash = 0;      ///< of the arguments
+    std::uint64_t own_hash = 0;  ///< of all fields above
 
     [[nodiscard]] std::uint64_t hash_of_head(StateHash& hasher) const {
         hasher.reset();
@@ -55,7 +55,7 @@ struct RecordHead {
 };
 static_assert(std::has_unique_object_representations_v<RecordHead>);
 
-/// A hash of each cloth after a step.
+/// Hash of a cloth's state after a step.
 struct HashOfCloth {
     ClothId cloth;
     std::uint64_t hash = 0;
@@ -64,14 +64,14 @@ static_assert(std::has_unique_object_representations_v<HashOfCloth>);
 
 static_assert(std::has_unique_object_representations_v<RungOfCloth>);
 
-/// What is copied as it lies in memory.
+/// Types that are copied as they lie in memory.
 template <class T>
 concept Plain = std::same_as<T, Vec2> || std::same_as<T, Vec3> || std::same_as<T, Rotation> ||
                 std::same_as<T, Triangle> || std::same_as<T, HashOfCloth> || std::same_as<T, RungOfCloth> ||
                 std::same_as<T, std::byte> ||(std::is_arithmetic_v<T> && !std::same_as<T, bool>) ||
                 std::is_enum_v<T>;
 
-/// Ids are another in every World.
+/// Ids, which a replay translates, since they differ between Worlds.
 template <class T>
 concept IdOfWorld = std::same_as<T, ClothId> || std::same_as<T, ShapeId> || std::same_as<T, ColliderId> ||
     std::same_as<T, BodyId>;
@@ -132,9 +132,9 @@ class RecordWriter {
         put(field.cell);
     }
 
-    /// Begins anew, with room for the head.
+    /// Begins a record, with room for its head.
     void begin() { bytes_.assign(sizeof(RecordHead), std::byte{}); }
-    /// What was put since then, its head before it.
+    /// Ends the record: returns its head and all that was put since begin().
     [[nodiscard]] std::span<const std::byte> end(Call call, std::uint32_t number, StateHash& hasher) {
         const std::span<const std::byte> given = std::span(bytes_).subspan(sizeof(RecordHead));
         hasher.reset();

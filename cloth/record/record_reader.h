@@ -1,5 +1,5 @@
 #pragma once
-// What a record's call was given, read back.
+// Reads the arguments of a recorded call.
 
 #include <cstdint>
 #include <cstring>
@@ -16,14 +16,14 @@
 
 namespace weft {
 
-/// Which objects of the World that replays are those that were recorded.
+/// Map from recorded ids to ids in the World that replays.
 class ReplayedIds {
   public:
     template <class Id>
     void add(Id recorded, Id here) {
         std::get<Of<Id>>(all_)[key(recorded)] = here;
     }
-    /// Null: there is none.
+    /// The id in the World that replays; null: there is none.
     template <class Id>
     [[nodiscard]] Id find(Id recorded) const {
         const auto& ids = std::get<Of<Id>>(all_);
@@ -34,7 +34,7 @@ class ReplayedIds {
   private:
     template <class Id>
     using Of = std::unordered_map<std::uint64_t, Id>;
-    // A map is named by what it leads to, so that std::get finds it.
+    // The maps differ in their value type, by which std::get finds them.
     std::tuple<Of<ClothId>, Of<ShapeId>, Of<ColliderId>, Of<BodyId>> all_;
 
     template <class Id>
@@ -43,14 +43,14 @@ class ReplayedIds {
     }
 };
 
-/// Reads values one behind the other. What is not there is a value by default, and the reader not ok() any
-/// more. Lists live as long as it does.
+/// Reads values one behind the other. Past the end values are those by default, and ok() is false from then
+/// on. Lists live as long as the reader.
 class RecordReader {
   public:
     RecordReader(std::span<const std::byte> bytes, const ReplayedIds& ids) : left_(bytes), ids_(ids) {}
 
     [[nodiscard]] bool ok() const { return ok_; }
-    /// And nothing is left.
+    /// Whether all bytes were read, without error.
     [[nodiscard]] bool is_done() const { return ok_ && left_.empty(); }
 
     void get(bool& value) { value = get_plain<std::uint32_t>() != 0; }
@@ -116,7 +116,7 @@ class RecordReader {
         get(value);
         return value;
     }
-    /// An id as it was recorded.
+    /// An id as it was recorded, not translated.
     template <IdOfWorld Id>
     [[nodiscard]] Id get_recorded() {
         const auto index = get_plain<std::uint32_t>();

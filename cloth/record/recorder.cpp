@@ -51,7 +51,7 @@ Recorder::~Recorder() {
     note(Call::end);
 }
 
-// A program that crashes is to leave its last step, so a file is flushed after each.
+// A file is flushed after each step, so that a program that crashes leaves its last one.
 void Recorder::note_step(float dt, const Simulation& simulation) noexcept {
     if (failed_) return;
     const bool is_written = comes_through([&] {

@@ -1,5 +1,5 @@
 #pragma once
-// Writes a World's calls down as they are made.
+// Records a World's calls as they are made.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,10 +23,10 @@ namespace weft {
 
 struct Simulation;
 
-/// What cannot be written ends the recording, never the call: stop() says so.
+/// A failure to write ends the recording, never the call; stop() returns it.
 class Recorder {
   public:
-    /// Errors: the file cannot be written; the first of the recording cannot.
+    /// Errors: the file cannot be opened; the first record cannot be written.
     [[nodiscard]] static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& file,
                                                                 const WorldSettings& settings);
     [[nodiscard]] static Result<std::unique_ptr<Recorder>> begin(const RecordingSink& sink,
@@ -46,13 +46,14 @@ class Recorder {
         if (!is_written) fail(ErrorCode::out_of_memory, "out of memory");
     }
     void note_step(float dt, const Simulation& simulation) noexcept;
-    /// Cloth from a cooked one, whose bytes are written with its first. `cooking`: the same for all copies.
+    /// Records a cloth from a cooked one, whose bytes are written before its first cloth. `cooking`: identity
+    /// of the cooked cloth, the same for all its copies.
     void note_cooked(ClothId id, const std::shared_ptr<const void>& cooking, const CookedCloth& cooked,
                      const ClothSettings& settings, const Transform& place) noexcept;
-    /// Nothing more is written.
+    /// Ends the recording with an error: nothing more is written.
     void fail(ErrorCode code, const char* why) noexcept;
 
-    /// Writes the end. Error: what could not be written.
+    /// Writes the end. Error: the first failure to write.
     Result<void> stop();
 
   private:
@@ -68,7 +69,7 @@ class Recorder {
     RecordWriter writer_;
     StateHash hasher_;
     std::vector<HashOfCloth> hashes_;
-    std::vector<std::shared_ptr<const void>> cookings_;  // that were written
+    std::vector<std::shared_ptr<const void>> cookings_;  // identities of those that were written
     std::uint32_t number_ = 0;
     std::optional<ErrorCode> failed_;
     const char* why_ = "";  // a string literal

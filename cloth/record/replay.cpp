@@ -1,4 +1,4 @@
-// Recordings, record by record.
+// Replays recordings, record by record.
 
 #include <algorithm>
 #include <cerrno>
@@ -16,13 +16,13 @@ namespace weft {
 
 namespace {
 
-/// Where a recording is read from.
+/// A source of a recording's bytes.
 class Source {
   public:
     virtual ~Source() = default;
-    /// Fills `to`, or as much of it as there is; returns how much that was.
+    /// Fills `to` as far as there are bytes, and returns how many there were.
     virtual std::size_t read(std::span<std::byte> to) = 0;
-    /// How much there is yet, at most.
+    /// Upper bound on the bytes that are left.
     [[nodiscard]] virtual std::uint64_t left() const = 0;
 };
 
@@ -77,12 +77,12 @@ Result<void> read_head(Source& source) {
     return {};
 }
 
-/// One record; none where the recording breaks off.
+/// Reads a recording's records, one at a time.
 class Records {
   public:
     explicit Records(Source& source) : source_(source) {}
 
-    /// Error: it is damaged.
+    /// Reads the next record; false: the recording breaks off before its end. Error: the record is damaged.
     Result<bool> next() {
         const std::size_t count = source_.read(std::as_writable_bytes(std::span(&head_, 1)));
         if (count < sizeof head_) return false;
@@ -99,7 +99,7 @@ class Records {
         return true;
     }
     [[nodiscard]] Call call() const { return static_cast<Call>(head_.call); }
-    [[nodiscard]] std::uint32_t number() const { return number_ - 1; }  ///< of the last
+    [[nodiscard]] std::uint32_t number() const { return number_ - 1; }  ///< of the last record
     [[nodiscard]] std::span<const std::byte> given() const { return bytes_; }
 
   private:

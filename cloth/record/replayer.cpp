@@ -256,7 +256,7 @@ Result<void> Replayer::step(RecordReader& reader) {
     return compare(rest, cloths);
 }
 
-// What cloth does to bodies and bodies to cloth shows in both: it is the cloth that is named.
+// Cloths are compared first: where cloth and bodies act on each other both differ, and the cloth is named.
 Result<void> Replayer::compare(std::uint64_t rest, std::span<const HashOfCloth> cloths) {
     const Simulation& simulation = world_->impl_->simulation;
     if (cloths.size() != simulation.cloths.size()) return no_such_call();

@@ -1,5 +1,5 @@
 #pragma once
-// Makes recorded calls in a World of its own.
+// Replays recorded calls in a World of its own.
 
 #include <cstdint>
 #include <optional>
@@ -16,17 +16,17 @@ class Replayer {
   public:
     explicit Replayer(const ReplayOptions& options) : options_(options) {}
 
-    /// Of a record that is whole. Error: what the record holds is not what such a call is given, or the World
-    /// refuses it.
+    /// Makes the call of a complete record. Error: the record's bytes are no arguments of this call, or the
+    /// World refuses the call.
     Result<void> make(Call call, std::span<const std::byte> given);
     [[nodiscard]] bool has_world() const { return world_.has_value(); }
     [[nodiscard]] const Replay& replay() const { return replay_; }
 
   private:
-    /// Reads what a call was given, in this order, and makes it.
+    /// Reads the arguments of a call, in this order, and makes the call.
     template <class... Given, class Act>
     Result<void> with(RecordReader& reader, const Act& act);
-    /// Likewise of a call that adds something: its id comes first.
+    /// Like with(), for a call that adds an object: the recorded id comes first.
     template <class Id, class... Given, class Act>
     Result<void> adding(RecordReader& reader, const Act& act);
     [[nodiscard]] Result<void> create(RecordReader& reader);
@@ -46,7 +46,7 @@ class Replayer {
     std::optional<World> world_;
     ReplayedIds ids_;
     std::vector<CookedCloth> cooked_;
-    std::vector<ClothId> cloths_;  // all that were added, as recorded
+    std::vector<ClothId> cloths_;  // recorded ids of all cloths that were added
     StateHash hasher_;
     Replay replay_;
 };

@@ -26,7 +26,7 @@ struct HashVisitor {
     return hasher.value();
 }
 
-/// Of all but the cloths.
+/// Hash of all state except that of cloths.
 [[nodiscard]] inline std::uint64_t hash_of_rest(const Simulation& simulation, StateHash& hasher) {
     hasher.reset();
     const HashVisitor visit{hasher};

@@ -1,5 +1,5 @@
 #pragma once
-// What calls of the public World share.
+// Code that the public World's calls share.
 
 #include <atomic>
 #include <cstdint>
@@ -17,21 +17,21 @@
 
 namespace weft {
 
-/// Who has the World: nobody, one call of step() or begin_step(), or a step that was begun, and where that
-/// is.
+/// Use of the World: none; a call of step() or begin_step(); a step that was begun, and within it a call of
+/// work() or end_step(), or a step that is computed but not ended.
 enum class StepPhase : std::uint32_t { none, stepping, begun, working, done };
 
 struct WEFT_LOCAL World::Impl {
     explicit Impl(const WorldSettings& settings) : simulation(settings) {}
     Simulation simulation;
     std::unique_ptr<Recorder> recorder;  ///< null: nothing is recorded
-    bool has_changed = false;            ///< since the World was made
+    bool has_changed = false;            ///< whether a call has changed the World since it was made
 
     std::atomic<StepPhase> phase = StepPhase::none;
     float dt = 0;                                            ///< of the step that was begun
-    StepFlags logged = StepFlags::none;                      ///< those of the last step
-    StepReport last;                                         ///< while one is: of the one before
-    StepReport refused{.flags = StepFlags::step_under_way};  ///< step()'s answer meanwhile
+    StepFlags logged = StepFlags::none;                      ///< flags that the last step raised
+    StepReport last;                                         ///< in a step that was begun: the one before
+    StepReport refused{.flags = StepFlags::step_under_way};  ///< result of step() in a step
 
     [[nodiscard]] bool is_in_step() const noexcept { return phase != StepPhase::none; }
     /// Error: a step was begun, or another thread takes one.
@@ -44,13 +44,12 @@ struct WEFT_LOCAL World::Impl {
         return Error{ErrorCode::invalid_argument, call + std::string(why)};
     }
     [[nodiscard]] Result<void> refuse_in_step(const char* call) const { return refuse_in(phase, call); }
-    /// What can be read while a step that was begun is taken cannot beside step().
+    /// For calls that are allowed in a step that was begun, but not beside step().
     [[nodiscard]] Result<void> refuse_beside_step(const char* call) const {
         return phase == StepPhase::stepping ? refuse_in(StepPhase::stepping, call) : Result<void>();
     }
 
-    /// change(call, what it is given)(act) makes a call that changes the World, and writes it down if it
-    /// succeeds.
+    /// change(call, arguments)(act) makes a call that changes the World, and records it if it succeeds.
     template <class... Arguments>
     auto change(Call call, const Arguments&... arguments) noexcept {
         return [this, call, &arguments...](const auto& act) noexcept {
@@ -62,7 +61,7 @@ struct WEFT_LOCAL World::Impl {
             });
         };
     }
-    /// Likewise; what is written down note(its answer) knows.
+    /// Like change(), but note(result) records the call.
     template <class Act, class Note>
     auto change_by(Call call, const Act& act, const Note& note) noexcept -> decltype(act()) {
         return without_exceptions([&]() -> decltype(act()) {
@@ -83,11 +82,11 @@ struct WEFT_LOCAL World::Impl {
         });
     }
 
-    /// Copies what can be read meanwhile.
+    /// Begins a step of `step` seconds: copies the buffers that may be read in it.
     void begin_step(float step);
     void take_step() noexcept;
     void end_step() noexcept;
-    /// Tells the log which flags the step raised that the last one did not.
+    /// Logs the flags that this step raised and the last one did not.
     void log_flags() noexcept;
 };
 
@@ -111,14 +110,14 @@ inline Result<std::uint32_t> particle_of(const Cloth& cloth, std::uint32_t verte
     return map[vertex];
 }
 
-/// The particles of mesh vertices. Error: one that the mesh does not have.
+/// The particles of mesh vertices. Error: a vertex that the mesh does not have.
 [[nodiscard]] Result<std::vector<std::uint32_t>> particles_of(const Cloth& cloth,
                                                               std::span<const std::uint32_t> vertices);
 
-/// Error: something of the cloth would be out of reach once it is moved so.
+/// Error: a part of the cloth would be out of reach after this motion.
 [[nodiscard]] Result<void> validate_move(const Cloth& cloth, const RigidMotion& by);
 
-/// Calls `use` with the cloth of an id and returns its result, or says that the id is stale.
+/// Calls `use` with the cloth of an id and returns its result. Error: the id is stale.
 template <class Simulation, class Use>
 auto with_cloth(Simulation& simulation, ClothId id, const Use& use)
     -> decltype(use(**simulation.cloths.find(id))) {

@@ -1,7 +1,7 @@
 #pragma once
-// The fields of what a host sets and reads, by name: for writing down, reading back, describing, and for C. A
-// struct that gets another field does not compile until the field has its line: here, or in
-// tests/embedding/c/fields_test.cpp, which counts those of for_both(). Then raise recording_version.
+// Fields of the structs that a host sets and reads, by name: for recording, replaying, describing, and for C.
+// A struct with a new field does not compile until the field has its line: here, or in
+// tests/embedding/c/fields_test.cpp, which counts the fields of for_both(). Then raise recording_version.
 
 #include <concepts>
 #include <type_traits>
@@ -17,16 +17,16 @@
 
 namespace weft {
 
-/// What a struct is the counterpart of: itself, or another one with the same fields, as those for C are.
+/// The struct whose fields T has: itself, or another one, as for the structs for C.
 template <class T>
 struct StandsFor : std::type_identity<T> {};
 template <class T, class Of>
 concept FieldsOf = std::same_as<typename StandsFor<std::remove_const_t<T>>::type, Of>;
 
-// for_both(a, b, way): way(name, a.field, b.field) for each field of two that have the same fields.
-// for_each_field(of, visit): visit(name, value) for each of one.
+// for_both(a, b, way) calls way(name, a.field, b.field) for each field of two structs with the same fields.
+// for_each_field(of, visit) calls visit(name, value) for each field of one.
 
-/// visit(name, value) for each pair.
+/// Calls visit(name, value) for each pair.
 template <class Visit>
 void visit_each(const Visit& /*visit*/) {}
 template <class Visit, class Value, class... Rest>
@@ -156,7 +156,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("sources", a.sources, b.sources);
 }
 
-/// But for the executor, which is the host's.
+/// Leaves out the executor, which is the host's.
 template <FieldsOf<WorldSettings> A, FieldsOf<WorldSettings> B, class Way>
 constexpr void for_both(A& a, B& b, const Way& way) {
     way("gravity", a.gravity, b.gravity);
@@ -323,7 +323,7 @@ requires HaveFields<T, T>
 void for_each_field(T& of, const Visit& visit) {
     for_both(of, of, [&](const char* name, auto& value, auto& /*same*/) { visit(name, value); });
 }
-/// for_each_field() knows it.
+/// Structs that for_each_field() supports.
 template <class T>
 concept HasFields = requires(T& of) {
     for_each_field(of, AnyVisit{});

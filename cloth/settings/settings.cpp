@@ -22,7 +22,7 @@ bool is_between(float value, float low, float high) {
     return value >= low && value <= high;
 }
 
-/// Keeps the first complaint. Not-a-number is within no range.
+/// Checks values, and keeps the first error. Not-a-number is within no range.
 class Checks {
   public:
     void between(const char* name, float value, float low, float high) {
@@ -46,7 +46,7 @@ class Checks {
             first_ = out_of_range(name, value,
                                   "from " + text(-limit) + " to " + text(limit) + " in every component");
     }
-    /// Of an enum whose values count from 0, and whose names are `names`.
+    /// `value` is of an enum whose values count from 0 and have these names.
     template <class Enum>
     void one_of(const char* name, Enum value, std::initializer_list<const char*> names) {
         std::string all;
@@ -67,8 +67,8 @@ class Checks {
     std::optional<Error> first_;
 };
 
-// The ranges of settings.h. At their ends, together, a step overflows nothing: a force of 1e9 N/m on the
-// lightest particle leaves squares of its acceleration within single precision.
+// The ranges of settings.h. No step overflows, even with all settings at their ends: a force of 1e9 N/m on
+// the lightest particle leaves squares of its acceleration within single precision.
 constexpr float most_stiffness = 1e9f;  // [N/m]
 
 constexpr int most_iterations = 100000;
@@ -118,7 +118,7 @@ void check(Checks& checks, const Fabric& fabric) {
                    greatest_bending_ratio);
     checks.between("Fabric::damping", fabric.damping, 0, 100);
     checks.between("Fabric::stiffening", fabric.stiffening, 0, 1000);
-    // Where the law is steepest: beyond last_stiffening_strain.
+    // The stiffness is limited where the law is steepest: beyond last_stiffening_strain.
     const float stiffest = std::max(fabric.warp, fabric.weft);
     if (fabric.stiffening > 0 && stiffest > 0)
         checks.between("Fabric::stiffening", fabric.stiffening, 0,
@@ -130,7 +130,7 @@ void check(Checks& checks, const FiniteElements& elements) {
     checks.below("FiniteElements::poisson", elements.poisson, 0.5f);
 }
 
-/// What one setting leaves no room for in another.
+/// Checks settings that exclude each other.
 void check_together(Checks& checks, const ClothSettings& settings) {
     const FiniteElements& elements = settings.finite_elements;
     const bool positional =
@@ -246,7 +246,7 @@ Result<void> validate_for_maps(const ClothSettings& settings) {
 }
 
 bool is_within_reach(const Vec3& point) noexcept {
-    const auto is_near = [](float x) { return std::abs(x) <= runaway_distance; };  // not-a-number is not
+    const auto is_near = [](float x) { return std::abs(x) <= runaway_distance; };  // false for not-a-number
     return is_near(point.x) && is_near(point.y) && is_near(point.z);
 }
 
@@ -263,7 +263,7 @@ Result<void> validate_transform(const char* name, const Transform& pose) {
     const double length = Eigen::Quaterniond(static_cast<double>(r.w), static_cast<double>(r.x),
                                              static_cast<double>(r.y), static_cast<double>(r.z))
                               .norm();
-    if (!(length >= 0.999 && length <= 1.001))  // not-a-number, too
+    if (!(length >= 0.999 && length <= 1.001))  // not-a-number fails, too
         return out_of_range("the length of " + std::string(name) + ".rotation", length,
                             "from 0.999 to 1.001");
     if (!is_finite(pose.translation))

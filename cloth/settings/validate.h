@@ -14,13 +14,13 @@ namespace weft {
 [[nodiscard]] Result<void> validate(const BodySettings& settings);
 [[nodiscard]] Result<void> validate(const BodyState& state);
 [[nodiscard]] Result<void> validate_importance(float priority, float view_distance);
-/// Error: they leave no room for maps of mass or stiffness.
+/// Error: the settings exclude maps of mass or stiffness.
 [[nodiscard]] Result<void> validate_for_maps(const ClothSettings& settings);
-/// Finite, and within runaway_distance of the origin.
+/// Whether the point is finite, and within runaway_distance of the origin.
 [[nodiscard]] bool is_within_reach(const Vec3& point) noexcept;
-/// Error: a point that is not. `name` is what the message calls it.
+/// Error: the point is not within reach. `name` is what the message calls it.
 [[nodiscard]] Result<void> validate_point(const char* name, const Vec3& point);
-/// Error: no rotation, or a place that is not finite.
+/// Error: the rotation is none, or the translation is not finite.
 [[nodiscard]] Result<void> validate_transform(const char* name, const Transform& pose);
 
 }  // namespace weft

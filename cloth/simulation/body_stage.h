@@ -1,11 +1,11 @@
 #pragma once
-// What the steps of a World that has bodies need; each body has a number, its place in the order of ids.
+// Data of the steps of a World with bodies. A body's number is its place in the order of ids.
 //
-// Cloths that may meet the same body are a group, and those of its cloths whose method can have bodies as
-// unknowns are one equation with them. In each part of a substep each of the group's equations takes the
-// bodies along in turn: from where they were when the part began, with gravity, what the other equations'
-// cloths give or, if these are still to come, gave in the last substep, and what its own give. The last to
-// take them brings them where they go on.
+// Cloths that may meet the same body are a group; those whose method can have bodies as unknowns are one
+// equation with them. In each part of a substep each of the group's equations integrates the bodies in turn,
+// always from the part's start: with gravity, the impulses of the other equations' cloths (of equations still
+// to come, those of the last substep), and the impulses of its own cloths. The bodies go on from the last
+// equation's result.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace weft {
 
-/// Impulses and angular ones, as states have them and as they are reckoned with.
+/// Conversions of an impulse and angular impulse: single precision in states, double in computations.
 [[nodiscard]] inline Vector6 to_vector6(const std::array<float, 6>& values) {
     return Eigen::Map<const Eigen::Matrix<float, 6, 1>>(values.data()).cast<double>();
 }
@@ -30,7 +30,7 @@ namespace weft {
 }
 
 struct BodyStage {
-    /// Room for so many.
+    /// Reserves memory for these numbers.
     BodyStage(std::size_t bodies, std::size_t cloths, std::size_t colliders) {
         moving.resize(bodies);
         begins.resize(bodies);
@@ -61,16 +61,16 @@ struct BodyStage {
     };
 
     std::vector<MovingBody> moving;
-    std::vector<Begin> begins;  ///< where a cloth takes them from
+    std::vector<Begin> begins;  ///< the bodies at the start of the present part
     std::vector<BodySettings> settings;
-    std::vector<Vector6> given;         ///< by cloths, in the step so far
-    std::vector<BodyImpulse> impulses;  ///< of the last step
+    std::vector<Vector6> given;         ///< impulses of cloths in the step so far [N s, N m s]
+    std::vector<BodyImpulse> impulses;  ///< reported for the last step
     std::vector<CarriedCollider> carried;
     BodyCoupling coupling;
-    GroupFinder sharing;                      ///< cloths that may meet one body, which gives way to them
-    std::vector<std::uint32_t> first_cloths;  ///< the first that may meet each body, while these are found
-    float h = 0;                              ///< of what a cloth takes them along for [s]
-    bool were_taken = false;                  ///< in this substep
+    GroupFinder sharing;                      ///< groups of cloths that may meet one movable body
+    std::vector<std::uint32_t> first_cloths;  ///< by body: the first cloth of its group, during that search
+    float h = 0;                              ///< length of the substep that a group solves [s]
+    bool were_taken = false;                  ///< whether any cloth was solved with bodies in this substep
 };
 
 }  // namespace weft

@@ -18,21 +18,20 @@ bool takes_part(const Cloth& cloth, std::size_t body) {
     return cloth.contacts && !cloth.collected[body].in_part.isZero(0);
 }
 
-/// Whether the particle, as the pairs number it, is the cloth's of this equation.
+/// Whether a particle, numbered as in the pairs, is one of this equation's cloth.
 bool has_particle(const StepEquation& equation, std::uint32_t particle) {
     return equation.pairs != nullptr && particle >= equation.first &&
            particle - equation.first < equation.positions.size();
 }
 
-/// A FreeTogether is some cloths of an equation, which Cloth::free_with numbers alike, and the bodies that
-/// they gave something to.
+/// Cloths of an equation with the same label Cloth::free_with, and the bodies that got impulses from them.
 class FreeTogether {
   public:
     FreeTogether(std::span<Cloth* const> cloths, std::span<const StepEquation> equations,
                  std::span<MovingBody> bodies, std::size_t number)
         : cloths_(cloths), equations_(equations), bodies_(bodies), number_(number) {}
 
-    /// Labels whoever shares a body or touches with one that is.
+    /// Labels every cloth that shares a body with a labelled one, or touches one.
     void grow() {
         for (bool any = true; any;) {
             any = false;
@@ -50,7 +49,7 @@ class FreeTogether {
         for (std::size_t k = 0; k < cloths_.size(); ++k)
             if (cloths_[k]->free_with == number_) visit(*cloths_[k], equations_[k]);
     }
-    /// visit(body, what the first cloth that gave it something gave)
+    /// visit(body, impulse of the first cloth that gave it one)
     template <class Visit>
     void for_each_body(const Visit& visit) const {
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -63,7 +62,7 @@ class FreeTogether {
             });
         }
     }
-    /// There is a body, and nothing else holds any of them.
+    /// Whether there is a body, and nothing else holds any of the cloths and bodies.
     [[nodiscard]] bool are_free() const {
         bool any_body = false, held = false;
         for_each_body([&](const MovingBody& body, const Vector6&) {
@@ -107,7 +106,7 @@ class FreeTogether {
             return is_theirs;
         });
     }
-    /// Cloth that is solved in another equation holds this one.
+    /// Whether the equation's cloth touches cloth of other equations, which then holds it.
     [[nodiscard]] bool touches_what_is_elsewhere(const StepEquation& equation) const {
         return touches(equation, [&](std::uint32_t particle) {
             return std::ranges::none_of(equations_,
@@ -129,7 +128,7 @@ class FreeTogether {
     std::size_t number_;
 };
 
-/// The motion of some particles and bodies at the end of the part, by the velocities that they have now.
+/// Mass, momentum and inertia of particles and bodies at the end of the part, by their present velocities.
 struct Motion {
     double mass = 0;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< [m]
@@ -177,7 +176,7 @@ Vector6 momentum_of(const Motion& motion) {
     return sum;
 }
 
-/// The velocity, of the common centre and about it, that all of it gains by this momentum about the origin.
+/// The rigid velocity change, of the common centre and about it, for a momentum gained about the origin.
 Vector6 as_one(const Motion& all, const Vector6& gained) {
     const Eigen::Vector3d centre = all.centre / all.mass;
     const Eigen::Matrix3d about_centre =
@@ -217,7 +216,7 @@ Vector6 owed(const FreeTogether& free, std::span<const MovingBody> bodies) {
         });
         for (std::size_t k = 0; k < bodies.size(); ++k) {
             const Vector6& given = cloth.collected[k].in_part;
-            // The angular momentum of a body that came so to its end has changed by that of an impulse there.
+            // With its motion over the part, a body's angular momentum changes as by an impulse here.
             const Eigen::Vector3d at = bodies[k].end.position.cast<double>() -
                                        static_cast<double>(equation.gamma) * bodies[k].velocity.head<3>();
             of_bodies.head<3>() += given.head<3>();
@@ -244,7 +243,7 @@ void keep_momentum(const FreeTogether& free, std::span<const MovingBody> bodies)
         return all;
     };
     const Vector6 target = missing + momentum_of(motion_of_all());
-    constexpr int rounds = 3;  // since what moves ends elsewhere
+    constexpr int rounds = 3;  // the change also moves the ends, by which momentum is measured
     for (int round = 0; round < rounds; ++round) {
         const Motion all = motion_of_all();
         const Vector6 change = as_one(all, target - momentum_of(all));

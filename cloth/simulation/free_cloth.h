@@ -1,5 +1,5 @@
 #pragma once
-// Cloths and bodies that nothing else holds keep what momentum they have together.
+// Cloths and bodies that nothing else holds keep their common momentum.
 
 #include <span>
 
@@ -9,12 +9,12 @@
 
 namespace weft {
 
-/// Few iterations leave a part of the equation unsolved, and an implicit step loses angular momentum. Cloths
-/// of one equation that gave something to the same bodies, or whose features touch, and these bodies are
-/// moved and turned as one: by what the cloths' solved velocities, in scratch_velocities, lack against what
-/// the bodies got (CollectedShare::in_part) and what acts from outside. A cloth alone would pull at what it
-/// is attached to, ever more. Does nothing where something else holds one of them. A body's change goes to
-/// the share of the first of them.
+/// Restores momentum that the solve has lost: few iterations leave a residual, and an implicit step loses
+/// angular momentum. Cloths of one equation that gave impulses to the same bodies, or whose features touch,
+/// get one rigid velocity change together with these bodies. It supplies the momentum that the velocities in
+/// scratch_velocities lack, given the bodies' impulses (CollectedShare::in_part) and external ones. A change
+/// of the cloth alone would make it pull ever more at what it is attached to. Does nothing where anything
+/// else holds one of them. A body's change goes to the share of the first cloth that gave it an impulse.
 void keep_momentum_with_bodies(std::span<Cloth* const> cloths, std::span<const StepEquation> equations,
                                std::span<MovingBody> bodies);
 

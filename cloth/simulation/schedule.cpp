@@ -14,9 +14,9 @@ namespace {
 // Loops over so few blocks cost as much on many threads as on one: handing blocks out takes as long.
 constexpr std::uint32_t too_few_blocks = 4;
 
-// One thread's share of the step is total / threads. A group well below it may be one thread's: the others
-// have work until it is done, or nearly. One up to it may, where its loops have too few blocks to keep all
-// threads busy. A larger one would be waited for.
+// One thread's share of the step is total / threads. A group well below it suits one thread: the others have
+// work until it is done, or nearly. A group up to it does, if its loops have too few blocks to keep all
+// threads busy. The other threads would wait for a larger group.
 bool suits_one_thread(const Schedule::Group& group, std::uint64_t total, std::uint64_t threads) {
     if (threads == 1 || group.blocks <= too_few_blocks) return true;
     return 4 * group.work * threads <= total || (group.work * threads <= total && group.blocks < 4 * threads);
@@ -43,7 +43,7 @@ void Schedule::plan(std::span<Cloth* const> cloths, int threads) {
     plan(cloths, own_places_, threads);
 }
 
-// A group's cloths come to lie next to each other, in their order: counted, then placed.
+// A counting sort: a group's cloths become consecutive, in their order.
 void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_t> first_of, int threads) {
     next_.assign(cloths.size(), 0);
     for (const std::uint32_t first : first_of) ++next_[first];
@@ -76,14 +76,15 @@ void Schedule::plan(std::span<Cloth* const> cloths, std::span<const std::uint32_
 void Schedule::share_out(int threads) {
     std::uint64_t total = 0;
     for (const Group& group : groups_) total += group.work;
-    // The World has one memory for its bodies' motion and one for impact zones: who uses them goes alone.
+    // The World has one memory for its bodies' motion and one for impact zones: their users run one at a
+    // time.
     const auto needs_what_there_is_once = [](const Cloth* cloth) {
         return cloth->meets_bodies || has_zones(cloth->settings.self_collision);
     };
     for (Group& group : groups_)
         group.is_whole = std::ranges::none_of(group.cloths, needs_what_there_is_once) &&
                          suits_one_thread(group, total, static_cast<std::uint64_t>(threads));
-    // Of equal ones the first comes first: cloths that meet a body have an order.
+    // Ties keep the order of cloths, so that those that meet a body have a fixed order.
     std::ranges::sort(groups_, std::ranges::greater(), [this](const Group& group) {
         return std::tuple(group.is_whole, group.is_whole ? group.scratch_bytes : group.work,
                           members_.data() - group.cloths.data());

@@ -16,7 +16,7 @@ namespace weft {
 
 namespace {
 
-/// From place to place.
+/// Whether the wind varies from place to place.
 bool varies(const Wind& wind) {
     return wind.gust > 0 || has_sources(wind);
 }
@@ -36,7 +36,7 @@ bool have_same_threads(const WorldSettings& a, const WorldSettings& b) {
            a.executor.width == b.executor.width;
 }
 
-/// Whether cloth at rest feels no difference.
+/// Whether both settings exert the same forces on cloth at rest.
 bool have_same_forces(const WorldSettings& a, const WorldSettings& b) {
     static_assert(std::is_trivially_copyable_v<Wind> && sizeof(AirSource) == 8 * sizeof(float) &&
                   sizeof(Wind) == 9 * sizeof(float) + sizeof(Wind::sources));
@@ -76,7 +76,7 @@ void reserve_cloth(Simulation& world) {
     if (world.settings.budget > 0) reserve_budget(world, count);
 }
 
-/// What each cloth is to take over, once all of it has been made.
+/// Buffers made for each cloth, which they replace once all have been made.
 template <class Made>
 using ForCloths = std::vector<std::pair<Cloth*, Made>>;
 
@@ -203,8 +203,7 @@ Simulation::RoomTaken Simulation::room_taken(const Newcomer* newcomer, int threa
     return taken;
 }
 
-// Scratch of groups that is made anew has room for an eighth more of such cloths as there are: so few of n
-// cloths that are added one after the other make it, and it is hardly larger than it has to be.
+// Scratch of groups grows by 1/8, counted in cloths, so that n additions reallocate O(log n) times.
 Simulation::Room Simulation::make_room(const Newcomer* newcomer, int threads) const {
     const RoomTaken taken = room_taken(newcomer, threads);
     Room room;
@@ -231,7 +230,7 @@ std::size_t Simulation::bytes_to_spare() const {
     const RoomTaken taken = room_taken(nullptr, parallel.width());
     std::size_t used = taken.in_groups + taken.alone;
     cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) { used += cloth->zone_bytes(); });
-    // Few cloths by zones share the least number of pairs, which each of them counts.
+    // Clamped at 0: each cloth by zones counts the least number of pairs, which few cloths share.
     return common_bytes() - std::min(common_bytes(), used);
 }
 

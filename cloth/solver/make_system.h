@@ -1,5 +1,5 @@
 #pragma once
-// Which class each force model is.
+// The class of system for each force model.
 
 #include <memory>
 

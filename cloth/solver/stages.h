@@ -23,7 +23,7 @@ enum class Stage : std::uint32_t {
     guard,
     normals
 };
-/// Each with its depth in the tree, after the stage that it is part of.
+/// The stages' names and depths in the tree, each after the stage that it is part of.
 inline constexpr std::array stage_names{
     StageName{"cloths", 1},    //
     StageName{"wind", 2},      //

@@ -17,8 +17,8 @@ constexpr std::uint64_t particles_per_sample = 1024, fewest_samples = 4;
 
 /// Sums of squares over particles, divided by their diagonals [m^2/s^2].
 struct Left {
-    double now = 0;     ///< of what v leaves
-    double free = 0;    ///< of what v_free leaves
+    double now = 0;     ///< of the residual at v
+    double free = 0;    ///< of the residual at v_free
     double driven = 0;  ///< of M (v_free - v_base)
 
     [[nodiscard]] float ratio() const {
@@ -60,7 +60,7 @@ class Pulls {
         const SpringTerms spring = spring_terms(apart(i, j), rest_length, stiffness, i, j);
         return equation_.gamma * (spring.force + viscous(i, j, stiffness, spring.direction));
     }
-    /// Of a triangle on its corner k.
+    /// The impulse of a triangle on its corner k.
     [[nodiscard]] Vector3 triangle(std::uint32_t t, std::size_t k, const TriangleMembrane& membrane) const {
         const Triangle& corners = model_.triangles[t];
         std::array<Vector3, 3> sides;
@@ -99,7 +99,7 @@ class Pulls {
     const Velocity& velocity_;
 };
 
-/// Of the springs of particle i of a sheet, in its row's order [N/m]. It has at most 12 half-edges.
+/// Stiffnesses of one particle's springs in a sheet, in its row's order [N/m]: at most 12 half-edges.
 struct SpringsOfParticle {
     std::array<float, 12> stiffness{}, stiffening{};
 };

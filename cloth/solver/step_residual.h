@@ -1,5 +1,5 @@
 #pragma once
-// How far a step's velocities are from solving its equation: one figure with one meaning for every method.
+// The relative residual of a step's velocities in its equation: one figure with one meaning for every method.
 
 #include <cstdint>
 #include <span>
@@ -13,17 +13,17 @@
 namespace weft {
 
 /// |D^-1 r(v)| / max(|D^-1 r(v_free)|, |D^-1 M (v_free - v_base)|), where r(v) = gamma f(x_base + gamma v, v)
-/// - M (v - v_base), contacts included, D is the diagonal that each particle has in it, and v_free is where
-/// external forces alone lead: 0 where the equation is solved, 1 where fabric and contacts have done nothing.
-/// A norm of impulses that are left, against those that fabric and contacts have to give.
+/// - M (v - v_base), contacts included, D is the diagonal of each particle in it, and v_free is the velocity
+/// under external forces alone. 0: the equation is solved; 1: fabric and contacts have done nothing. The norm
+/// of the impulses that are left is compared with that of the impulses of fabric and contacts.
 ///
-/// Springs are looked at for one particle in 1024, and at least 4, the same ones in every step, which costs
-/// less than a hundredth of one. Finite elements are all looked at, which costs a quarter of a step.
+/// Springs are sampled at one particle in 1024, at least 4, the same ones in every step: less than a
+/// hundredth of a step's cost. Finite elements are all measured, which costs a quarter of a step.
 class StepResidual {
   public:
     StepResidual(const ClothModel& model, const ClothSettings& settings)
         : model_(&model), of_elements_(settings.finite_elements.enabled) {}
-    /// Of another cloth of that model.
+    /// The residual of another cloth of that model.
     StepResidual(const StepResidual& other, const ClothModel& model) : StepResidual(other) {
         model_ = &model;
     }
@@ -34,7 +34,7 @@ class StepResidual {
     /// `system` is asked for the forces of finite elements only.
     [[nodiscard]] float operator()(Parallel& parallel, const StepEquation& equation,
                                    std::span<const Vec4> velocities, ImplicitSystem* system = nullptr);
-    /// Of what a solver has found; 0 where the step wants none.
+    /// The residual of a solver's result; 0 where the step wants none.
     [[nodiscard]] float operator()(const SolverStep& step, ImplicitSystem* system = nullptr) {
         if (!step.wants_residual) return 0;
         return (*this)(step.parallel, step.equation, step.velocities, system);
@@ -46,7 +46,7 @@ class StepResidual {
 
     const ClothModel* model_;
     bool of_elements_;
-    ScratchArray<Vec4> free_, left_;  // of finite elements: v_free, and what it or v leaves
+    ScratchArray<Vec4> free_, left_;  // for finite elements: v_free, and r at v_free or v
 };
 
 }  // namespace weft

@@ -6,9 +6,9 @@
 
 namespace weft {
 
-/// Finds the air's velocities where the cloth is.
+/// Samples the air's velocities at the cloth's particles.
 void feel_wind(Simulation& world, Worker& worker, Cloth& cloth);
-/// Then what it does to it; `has_moved`: since normals were made last.
+/// Computes the air's forces on the cloth. `has_moved`: it has moved since its normals were computed.
 void air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool has_moved);
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// How each cloth is taken by a step, where the World has a budget.
+// The budget's choice of each cloth's level of detail, and cloths that take long steps.
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@ namespace weft {
 
 namespace {
 
-// A cloth goes from rung to rung, and stays on each for so many steps: what a rung has left unsolved the next
-// one would solve at once, for all to see. It does not rise soon after it fell, or it would go to and fro.
+// Steps that a cloth stays on a rung at least: what one rung has left unsolved, the next would solve at once,
+// visibly. A cloth does not rise soon after it fell, or its rung would oscillate.
 constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
-/// It is not looked from nearer [m].
+/// Least view distance that is taken into account [m].
 constexpr float nearest = 0.1f;
 
 /// A cloth may take long steps where nothing that it meets or wears changes before one ends.
@@ -49,7 +49,7 @@ void choose_rungs(Simulation& world) {
     }
 }
 
-/// A cloth that begins to take long steps takes them where the others leave most room.
+/// Gives each cloth that begins to take long steps the phase in which the fewest particles take theirs.
 void spread_long_steps(Simulation& world) {
     std::array<std::uint64_t, greatest_rate> loads{};
     const auto load = [&](const Cloth& cloth) {
@@ -68,7 +68,7 @@ void spread_long_steps(Simulation& world) {
     }
 }
 
-/// Those that may take a long step now do, others stop where they are.
+/// Sets the length of each cloth's step. A cloth that may take no more long steps ends its last where it is.
 void choose_rates(Simulation& world) {
     spread_long_steps(world);
     for (Cloth* cloth : world.present) {
@@ -96,7 +96,7 @@ void choose_details(Simulation& world) {
     }
 }
 
-/// From where a long step began to where it has ended it goes evenly.
+/// Stores the end of a long step, and begins the even interpolation from its start.
 void begin_stride(Simulation& world, Worker& worker, Cloth& cloth) {
     if (!cloth.state.detail || cloth.state.detail->rate == 1) return;
     ClothState& now = cloth.state;
@@ -161,7 +161,7 @@ void learn_costs(Simulation& world) {
         of.spent += cost;
         ++of.steps;
         if (detail.left > 0) continue;
-        // One that was to take long steps, and could not, says nothing of these.
+        // A cloth that was to take long steps, and could not, says nothing about their cost.
         if (detail.rate == rate_of(detail.rung))
             of.costs.add(detail.rung, of.spent / static_cast<float>(of.steps));
         of.spent = 0;

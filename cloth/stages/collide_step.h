@@ -1,5 +1,5 @@
 #pragma once
-// Colliders after the equation: what is left in them is put out.
+// Colliders after the equation: particles that are still inside are pushed out.
 
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// How colliders see the cloth in a part of h seconds.
+/// The cloth's surface for colliders, in a part of h seconds.
 [[nodiscard]] ClothSide side_of(const Simulation& world, const Cloth& cloth, float h);
 /// Pushes the cloth out of colliders at the end of a part of h seconds; `starts`: as weft::collide() has
 /// them. Returns how many particles touch.

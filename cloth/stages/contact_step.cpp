@@ -1,5 +1,5 @@
-// The part of the frame that features have: which cloths may touch, what is near what, and motion that lets
-// nothing through.
+// Contact of features in a step: groups of cloths that may touch, detection, and the cut of their motion, so
+// that nothing crosses anew.
 
 #include <algorithm>
 #include <limits>
@@ -19,7 +19,7 @@ namespace weft {
 
 namespace {
 
-/// Boxes around points, of which one that is not finite has no part in.
+/// Axis-aligned bounding box of points. Coordinates that are NaN do not count.
 class GrowingBox {
   public:
     void add(const Vector3& point) {
@@ -36,7 +36,7 @@ class GrowingBox {
     Vector3 lower_ = Vector3::Constant(infinity), upper_ = -lower_;
 };
 
-/// Where the cloth is and, if it goes on as it does, where it will be h seconds later; and how far it goes.
+/// Swept range of the cloth over h seconds at its present velocities, and its longest path.
 ExpectedWay way_of(const Cloth& cloth, float h) {
     GrowingBox box;
     float squared = 0;
@@ -49,7 +49,7 @@ ExpectedWay way_of(const Cloth& cloth, float h) {
     return {.box = box.grown_by(cloth.as_body().radius), .length = std::sqrt(squared)};
 }
 
-/// How far the collider pushes what it meets in the box at most [m].
+/// Greatest distance by which the collider pushes particles in the box [m].
 float push_of(const ColliderMotion& motion, const Pace& pace, float thickness, const Bounds& box) {
     const Reach reach{thickness + motion.end.thickness, 0};
     return with_shapes(motion, [&](const auto& start, const auto& end) {
@@ -63,14 +63,14 @@ bool touches_colliders(std::span<Cloth* const> cloths) {
         cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0 || cloth->worn.is_holding(); });
 }
 
-/// Writes what particles remember of tangles back, unless neither was nor is any: calm cloth costs nothing.
+/// Stores the tangle memory, unless nothing crosses or has crossed: calm cloth costs nothing.
 void remember_tangles(FeatureContact& space, std::size_t body, ClothState& state) {
     if (state.may_cross == 0 && !space.may_cross()) return;
     std::ranges::copy(space.memory(body), state.tangles.data());
     state.may_cross = space.may_cross() ? 1 : 0;
 }
 
-/// Grows the boxes of cloths that meet. Returns whether any has grown.
+/// Grows the box of each cloth by the longest path in its group. Returns whether any has grown.
 bool pass_ways_on(Simulation& world) {
     const std::span<const std::uint32_t> first_of = world.group_finder.first_of();
     for (std::size_t i = 0; i < world.present.size(); ++i) {
@@ -91,7 +91,7 @@ bool pass_ways_on(Simulation& world) {
     return any;
 }
 
-/// What the cloth has to itself: as long as each cloth stays in its own space, groups cannot meet.
+/// The cloth's own space: as long as each cloth stays in its own, groups cannot meet.
 Bounds own_space_of(const Simulation& world, const Cloth& cloth) {
     OwnSpace space(cloth.expected.box, cloth.as_body().floor);
     for (const Cloth* other : world.present)
@@ -100,7 +100,7 @@ Bounds own_space_of(const Simulation& world, const Cloth& cloth) {
     return space.bounds();
 }
 
-/// Shortens the way of what goes another way than it was expected to, and would leave the cloth's own space.
+/// Shortens motions that end outside the predicted box, and would leave the cloth's own space.
 void keep_in_own_space(const Simulation& world, Worker& worker, FeatureContact& space,
                        std::span<Cloth* const> cloths) {
     if (world.featured_cloths == 1) return;
@@ -116,7 +116,7 @@ void hand_back(Simulation& world, Worker& worker, const FeatureContact& space, s
     limit_speeds(worker.parallel, world.settings.max_speed, cloth.state.velocities.span());
 }
 
-// Zones pass momentum on to what lies on a collider, which has the last word (Huh, Metaxas, Badler 2001,
+// Zones pass momentum on to cloth that lies on a collider, so colliders come last (Huh, Metaxas, Badler 2001,
 // section 2: cloth against rigid bodies on top of cloth against cloth).
 void keep_out_of_colliders(Simulation& world, Worker& worker, Cloth& cloth, float h) {
     if (colliders_of(worker, cloth).empty() || !meets_in_equation(cloth.settings)) return;
@@ -125,8 +125,7 @@ void keep_out_of_colliders(Simulation& world, Worker& worker, Cloth& cloth, floa
 
 }  // namespace
 
-/// Where the cloth will be in a substep of h seconds as far as can be told, with what colliders may push it
-/// in the whole step.
+/// Predicts the cloth's swept range in a substep of h seconds, enlarged by colliders' push in the whole step.
 void expect(const Simulation& world, Cloth& cloth, float h) {
     if (!cloth.has_features()) return;
     cloth.expected = way_of(cloth, h);
@@ -142,8 +141,8 @@ void expect(const Simulation& world, Cloth& cloth, float h) {
     cloth.expected.box = grown(cloth.expected.box, push);
 }
 
-// Cloths are solved together whose boxes over the substep overlap, or that may meet the same body. Those that
-// meet pass their speed on to one another, and each may go as far as any of them.
+// Cloths whose swept ranges overlap, or that may meet the same body, are solved together. They pass momentum
+// on to one another, so that each may go as far as the fastest: boxes grow, and groups are found anew.
 void meet(Simulation& world) {
     for (bool any = true; any;) {
         world.boxes.clear();
@@ -171,14 +170,14 @@ void find_features(Simulation& world, Worker& worker, FeatureContact& space, std
     if (!space.uses_zones()) space.detect(worker.parallel, cloths.front()->is_in_crowd);
 }
 
-/// Whether a common motion has taken some of the cloth out of its own space.
+/// Whether the common motion has moved any of the cloth out of its own space.
 bool is_taken_out_of_own_space(const Simulation& world, Worker& worker, FeatureContact& space,
                                std::size_t body, const Cloth& cloth) {
     return world.featured_cloths > 1 && space.leaves(worker.parallel, body, cloth.expected.box) &&
            space.leaves(worker.parallel, body, own_space_of(world, cloth));
 }
 
-// The last that moves particles in a substep.
+// The last stage that moves particles in a substep.
 void settle_features(Simulation& world, Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                      const Substep& substep) {
     const auto timer = world.timed(Stage::self_response);

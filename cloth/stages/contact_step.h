@@ -1,6 +1,6 @@
 #pragma once
-// The part of the frame that features have: which cloths may touch, what is near what, and motion that lets
-// nothing through.
+// Contact of features in a step: groups of cloths that may touch, detection, and the cut of their motion, so
+// that nothing crosses anew.
 
 #include <span>
 
@@ -9,21 +9,21 @@
 
 namespace weft {
 
-/// Finds where the cloth will be in a substep of h seconds as far as can be told.
+/// Predicts the swept range of the cloth in a substep of h seconds.
 void expect(const Simulation& world, Cloth& cloth, float h);
-/// Finds the groups of cloths that may touch, by where they are expected.
+/// Finds the groups of cloths that may touch, by their swept ranges.
 void meet(Simulation& world);
 
-/// Lays out the group's features where they are, and finds what is near what over h seconds.
+/// Places the group's features at their positions, and detects the pairs that are near over h seconds.
 void find_features(Simulation& world, Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                    float h);
-/// The last that moves particles in a part of a substep: what would pass through anything is cut.
+/// Cuts the motion of a part of a substep, so that nothing crosses anew. No later stage moves particles.
 void settle_features(Simulation& world, Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths,
                      const Substep& part);
-/// Cuts anew, without common motion, where that has moved cloth into colliders or to other groups.
+/// Repeats the cut without common motion, if that has moved cloth into colliders or out of its own space.
 void keep_common_motion_out(const Simulation& world, Worker& worker, FeatureContact& space,
                             std::span<Cloth* const> cloths, float h);
-/// Whether some of the cloth is at another group's side.
+/// Whether the common motion has moved any of the cloth out of its own space.
 [[nodiscard]] bool is_taken_out_of_own_space(const Simulation& world, Worker& worker, FeatureContact& space,
                                              std::size_t body, const Cloth& cloth);
 

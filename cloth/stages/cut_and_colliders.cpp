@@ -16,8 +16,7 @@ bool is_taken_into_colliders(Worker& worker, const FeatureContact& space, std::s
     if (colliders.empty() || !meets_in_equation(cloth.settings)) return false;
     const std::span<const Vec4> starts = space.starts(body), wanted = space.uncut(body),
                                 had = space.displacements(body);
-    const float least =
-        -0.5f * cloth.settings.thickness - 1e-4f;  // [m] from where cloth is kept, and rounding
+    const float least = -0.5f * cloth.settings.thickness - 1e-4f;  // [m]: half the thickness, and rounding
     const auto is_cut = [&](std::uint32_t i) {
         return starts[i].w > 0 && !(xyz(had[i]) - xyz(wanted[i])).isZero(0);
     };
@@ -54,9 +53,9 @@ bool is_taken_into_colliders(Worker& worker, const FeatureContact& space, std::s
 
 }  // namespace
 
-// A particle that is cut follows the common motion, which knows neither of colliders nor of other groups. If
-// that moves one to where it must not be, the cut is made anew without common motion: each particle then ends
-// between its start and the end that the solver wanted, which are both outside of colliders and in the
+// A particle that is cut follows the common motion, which knows neither colliders nor other groups. If the
+// motion brings a particle to either, the cut is repeated without common motion: each particle then ends
+// between its start and the end that the solver wanted, both of which are outside of colliders and in the
 // cloth's own space.
 void keep_common_motion_out(const Simulation& world, Worker& worker, FeatureContact& space,
                             std::span<Cloth* const> cloths, float h) {

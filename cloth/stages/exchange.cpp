@@ -1,4 +1,4 @@
-// What a cloth and bodies give each other in a part of a substep.
+// Impulses between cloths and bodies in a part of a substep.
 
 #include <algorithm>
 #include <Eigen/Cholesky>
@@ -14,7 +14,7 @@ namespace weft {
 
 namespace {
 
-/// A particle's velocity was changed since a body is where it is.
+/// Gives a body the reaction to a velocity change that it caused in a particle.
 void collect_change(Simulation& world, Cloth& cloth, std::uint32_t body, std::uint32_t particle,
                     const Vector3& change) {
     const Vec4& position = cloth.state.positions[particle];
@@ -61,7 +61,7 @@ void join_attached(Simulation& world, std::span<Cloth* const> cloths, std::uint3
 
 }  // namespace
 
-/// The equation of a cloth that may meet bodies has them.
+/// Puts bodies into the equation of a cloth that may meet them.
 void carry_bodies(Simulation& world, Cloth& cloth, StepEquation& equation) {
     if (!cloth.contacts) return;
     cloth.contacts->carry(world.body_stage->moving, cloth.attached, cloth.model.rest_area.span(),
@@ -74,7 +74,7 @@ void carry_bodies(Simulation& world, Cloth& cloth, StepEquation& equation) {
     equation.bodies = &world.body_stage->coupling;
 }
 
-/// What the equation that was solved gave bodies.
+/// Collects the impulses that the solved equation gave bodies.
 void collect_from_equation(Simulation& world, Cloth& cloth, const StepEquation& equation) {
     if (!cloth.meets_bodies || !cloth.contacts) return;
     const std::span<const Vec4> velocities = std::as_const(cloth.scratch_velocities).span();
@@ -98,7 +98,7 @@ void collect_from_equation(Simulation& world, Cloth& cloth, const StepEquation& 
     for (CollectedShare& share : cloth.collected) share.in_part += share.by_stops;
 }
 
-/// Once all cloths of the equation are collected from.
+/// Called after collect_from_equation() of all cloths of the equation.
 void keep_momentum_of_bodies(Simulation& world, std::span<Cloth* const> cloths,
                              std::span<const StepEquation> equations) {
     keep_momentum_with_bodies(cloths, equations, world.body_stage->moving);
@@ -113,7 +113,7 @@ void keep_momentum_of_bodies(Simulation& world, std::span<Cloth* const> cloths,
     }
 }
 
-// Bodies first: what stands still has the last word.
+// Bodies come first, so that colliders that do not give way override them.
 std::uint32_t collide_with_bodies(Simulation& world, Worker& worker, Cloth& cloth, float h,
                                   std::span<const Vec4> starts) {
     const std::span<const ColliderMotion> motions = colliders_of(worker, cloth);
@@ -143,9 +143,9 @@ std::uint32_t collide_with_bodies(Simulation& world, Worker& worker, Cloth& clot
     return touching;
 }
 
-/// Puts attached particles where their bodies are. A body and what is attached to it, of all these cloths,
-/// get the velocity at which their momentum is what it was: a body that gave way alone would fly where they
-/// are heavier than it is.
+/// Moves attached particles to their places on bodies. A body and the particles attached to it, of all these
+/// cloths, get the velocity that keeps their momentum: if the body alone gave way, heavier particles would
+/// throw it.
 void place_attached(Simulation& world, std::span<Cloth* const> cloths) {
     const auto has_any = [](const Cloth* cloth) { return cloth->meets_bodies && !cloth->attached.empty(); };
     if (std::ranges::none_of(cloths, has_any)) return;

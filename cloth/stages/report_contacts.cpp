@@ -1,5 +1,4 @@
-// The part of the frame that tells a host what touched what. It reads what a step does and changes none of
-// it.
+// Reports of contacts, for hosts that ask for them. Reports read the results of a step, and change none.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +18,7 @@ Vec3 opposite(const Vec3& v) {
     return {-v.x, -v.y, -v.z};
 }
 
-/// The same, as the other cloth has it.
+/// The same contact with its two cloths exchanged.
 Contact seen_from_other(const Contact& c) {
     return {.cloth = c.other_cloth,
             .other_cloth = c.cloth,
@@ -30,7 +29,7 @@ Contact seen_from_other(const Contact& c) {
             .impulse = opposite(c.impulse)};
 }
 
-/// The corner of the side [begin, end) that weighs most.
+/// The corner of the side [begin, end) with the greatest weight.
 std::uint32_t main_corner(const PairRows::Push& push, std::uint32_t begin, std::uint32_t end) {
     std::uint32_t most = begin;
     for (std::uint32_t c = begin + 1; c < end; ++c)
@@ -38,7 +37,7 @@ std::uint32_t main_corner(const PairRows::Push& push, std::uint32_t begin, std::
     return push.pair.corners[most];
 }
 
-// Contacts of a cloth are counted as they come; so are their places among those of the World.
+// A contact's order in the World is its cloth's index, then its number within the cloth.
 void log_contact(ContactLog& log, Cloth& cloth, const Contact& contact) {
     const float strength = to_vector(contact.impulse).norm();
     if (!std::isfinite(strength)) return;
@@ -51,7 +50,7 @@ void add_impulse(Cloth& cloth, std::uint32_t particle, const Vector3& impulse) {
     set_xyz(sum, xyz(sum) + impulse);
 }
 
-// Pairs and colliders by turns: what one has been found to give the others have not.
+// Colliders and pairs are credited in turn: each takes of the impulse what the others have left.
 void share_out_impulses(FeatureContact& space, std::span<Cloth* const> cloths) {
     constexpr int sweeps = 16;
     space.rows().begin_sweeps();
@@ -93,7 +92,7 @@ void log_colliders(Simulation& world, Cloth& cloth) {
     }
 }
 
-/// Where the cloth and the trigger are when the step ends.
+/// Reports the cloth's deepest particle in a trigger, at the end of the step.
 void log_trigger(Simulation& world, Cloth& cloth, ColliderId id, const Collider& trigger) {
     const ColliderMotion there{.start = trigger, .end = trigger, .held = world.held_by(trigger)};
     const ClothSide side = cloth.side();
@@ -136,11 +135,10 @@ void log_triggers(Simulation& world, Cloth& cloth) {
 
 }  // namespace
 
-// In the equation contact acts for gamma, gives J = gamma F, and the step goes on with what the base kept of
-// the last one's change. Over the step h its force gives (h / gamma) J: at rest, and across the normal. Along
-// the normal a base that forgot the last change, as History's does where a collider holds, would have an
-// impact count 3/2 times: there it is what brings the momentum from v to the solved one against all other
-// forces over h.
+// In the equation contact acts over gamma and gives J = gamma F; the base adds what it kept of the last
+// step's change. Over the step h the force gives (h / gamma) J: at rest, and across the normal. Along the
+// normal History's base has no last change where a collider holds, and an impact would count 3/2 times. There
+// the impulse is the one that brings the momentum from v to the solved one, against all other forces over h.
 void add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation) {
     if (!cloth.contacts || colliders_of(worker, cloth).empty()) return;
     const float ratio = equation.h / equation.gamma;
@@ -152,13 +150,13 @@ void add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& 
             const Vector3 base = xyz(equation.base_velocities[i]);
             const Vector3 missing = base - xyz(equation.velocities[i]) - (ratio - 1) * (v - base);
             Vector3 given = cloth.contacts->of_colliders(i, v);
-            if (equation.pairs != nullptr) given -= n.dot(given) * n;  // which is shared out later
+            if (equation.pairs != nullptr) given -= n.dot(given) * n;  // credited later
             add_impulse(cloth, i, ratio * given + n.dot(missing) / w * n);
         }
     });
 }
 
-/// Afterwards: velocities have changed since they were kept in `before`.
+/// Adds the impulses that changed velocities since `before`, after the equation.
 void add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before) {
     worker.parallel.ranges(cloth.state.size(), [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -178,7 +176,7 @@ void find_missing_impulses(const SolverStep& step, Cloth& cloth) {
     cloth.impulse_ratio = step.equation.h / step.equation.gamma;
 }
 
-// Settled, so that what was projected and cut is in it; since it was solved the rows have stayed.
+// Called after settling, so that projection and cut are included. The rows are still those of the solve.
 void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths) {
     float ratio = 0;
     for (Cloth* cloth : cloths) {
@@ -223,7 +221,7 @@ void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cl
     });
 }
 
-// Before the response: what it is going to take from velocities.
+// Called before the response, of which it computes the velocity changes.
 void log_avoidance(Worker& worker, Cloth& cloth, float h) {
     const ResponseSettings settings{cloth.rest_neighbours->distance(), cloth.settings.self_collision.friction,
                                     h};
@@ -231,7 +229,7 @@ void log_avoidance(Worker& worker, Cloth& cloth, float h) {
     cloth.self_contacts->for_each_stopped(settings, positions, std::as_const(cloth.state.velocities).span(),
                                           [&](std::uint32_t i, std::uint32_t j, const Vector3& change) {
                                               const Vector3 a = xyz(positions[i]), b = xyz(positions[j]);
-                                              // At one point the response chooses a way apart.
+                                              // For coincident particles the response chooses the direction.
                                               const Vector3 apart = a == b ? change : Vector3(a - b);
                                               log_contact(
                                                   worker.contacts, cloth,
@@ -245,8 +243,8 @@ void log_avoidance(Worker& worker, Cloth& cloth, float h) {
                                           });
 }
 
-/// Which collider each particle with an impulse is nearest to: w its index and one, or 0 where nothing
-/// pushes.
+/// Finds the collider that is nearest to each particle with an impulse: w becomes its index + 1, or 0 where
+/// it does not push.
 void find_touched_colliders(const Simulation& world, Worker& worker, Cloth& cloth) {
     const auto touched = [&](const Vector3& position, const Vector3& impulse) {
         float least = std::numeric_limits<float>::infinity(), found = 0, along = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// What touched what, for hosts that want to know.
+// Reports of contacts, for hosts that ask for them.
 
 #include <span>
 
@@ -9,19 +9,19 @@
 
 namespace weft {
 
-/// Adds what colliders gave the cloth's particles in the equation; and by a change of velocities since they
-/// were kept in `before`.
+/// Add colliders' impulses on the cloth's particles: those in the equation; those that changed velocities
+/// since `before`.
 void add_impulses_of_equation(Worker& worker, Cloth& cloth, const StepEquation& equation);
 void add_impulses_of_change(Worker& worker, Cloth& cloth, std::span<const Vec4> before);
-/// What the equation's rows of contact gave each particle is kept, to be shared out among pairs.
+/// Stores the impulse of the equation's contact rows on each particle, to be credited to pairs later.
 void find_missing_impulses(const SolverStep& step, Cloth& cloth);
 /// Reports a group's pairs once they are settled.
 void log_pairs(Worker& worker, FeatureContact& space, std::span<Cloth* const> cloths);
-/// Reports what avoidance is about to stop.
+/// Reports the pairs whose approach avoidance is about to stop.
 void log_avoidance(Worker& worker, Cloth& cloth, float h);
 /// Finds which collider each particle with an impulse touches.
 void find_touched_colliders(const Simulation& world, Worker& worker, Cloth& cloth);
-/// Puts the step's list together.
+/// Makes the step's list of contacts.
 void report_contacts(Simulation& world);
 
 }  // namespace weft

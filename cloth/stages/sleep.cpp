@@ -1,5 +1,5 @@
-// Which cloths a step takes: those that are enabled and awake. Cloth that has been still for a while sleeps
-// with all that it touches, until something near it moves, or the host changes what it feels.
+// The choice of the cloths that a step takes: those that are enabled and awake. Cloth that has been still for
+// a while sleeps with all that it touches, until something near it moves, or the host changes forces on it.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 /// How long a cloth has to be still before it sleeps [s].
 constexpr float time_to_sleep = 0.5f;
-/// What is farther from a sleeping cloth than its thickness and this does not wake it [m].
+/// Distance, beyond the thickness, within which a collider that changes wakes a sleeping cloth [m].
 constexpr float wakes_within = 1e-3f;
 
 Bounds box_of(const Cloth& cloth) {
@@ -38,7 +38,7 @@ bool are_alike(std::span<const Vec4> a, std::span<const Vec4> b) {
     return a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
-/// Of any particle in the step [m].
+/// Greatest displacement of a particle in the step [m].
 float farthest_way(const ClothState& state) {
     const auto now = std::as_const(state.positions).span(),
                before = std::as_const(state.previous_positions).span();
@@ -48,7 +48,7 @@ float farthest_way(const ClothState& state) {
     return std::sqrt(squared);
 }
 
-/// Whether a cloth meets the collider, as it is at the end of the motion, on the way or where that ends.
+/// Whether the collider may meet a cloth during its motion; its layers are those at the end.
 bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
     const Collider& collider = motion.end;
     if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return false;
@@ -75,7 +75,7 @@ bool have_same_shape(const Collider& a, const Collider& b) {
     return std::visit(is_same, b.shape);
 }
 
-/// Resting cloth feels no difference between the two but that of the shape.
+/// Whether two colliders differ, for cloth at rest, in shape alone.
 bool have_same_surface(const Collider& a, const Collider& b) {
     return a.friction == b.friction && a.thickness == b.thickness && a.restitution == b.restitution &&
            a.layers == b.layers && a.is_trigger == b.is_trigger;
@@ -101,14 +101,14 @@ bool is_moved_by_host(const Cloth& cloth) {
            !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
 }
 
-/// Cloths that are disturbed, and all where the air is gusty, are not still.
+/// Wakes cloths that are disturbed; where the air is gusty, all that may sleep.
 void wake_disturbed(Simulation& world, bool is_gusty) {
     for (Cloth* cloth : world.present)
         if (cloth->state.rest && (is_gusty || cloth->is_disturbed)) cloth->wake();
 }
 
-/// Marks the cloths, of those that may sleep or take long steps, that the host moves in this step, or that
-/// are near a body, or near a collider that changes in this step.
+/// Marks disturbed cloths among those that may sleep or take long steps: the host moves them in this step, or
+/// they are near a body, or near a collider that changes in this step.
 void find_disturbed(Simulation& world, float dt) {
     const auto for_all = [&](const auto& disturbed) {
         for (Cloth* cloth : world.present)
@@ -124,7 +124,7 @@ void find_disturbed(Simulation& world, float dt) {
         if (!deforms && have_same_shape(slot.current, slot.target) &&
             have_same_surface(slot.current, slot.target))
             return;
-        // Support leaves from where the collider was, with the surface that it had there.
+        // Cloth at the collider's old place loses its support, which had the old surface.
         for_all([&](const Cloth& cloth) { return is_near(slot.current, held, cloth); });
         Collider before = slot.current;
         if (deforms) {
@@ -187,7 +187,7 @@ void count_still_time(Cloth& cloth, float dt) {
     const bool is_still =
         !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < limit * limit;
     still_for = is_still ? still_for + dt : 0.0f;
-    // What comes out of a collider goes without a velocity.
+    // Particles that are pushed out of a collider move without a velocity.
     if (still_for >= time_to_sleep && cloth.collider_contacts > 0 && farthest_way(cloth.state) > limit * dt)
         still_for = 0;
 }
@@ -240,13 +240,13 @@ void Cloth::set_enabled(bool on) noexcept {
     settings.enabled = on;
     wake();
     if (!on) stand_still();
-    // What it meets may have gone through it meanwhile, and what it is worn on may have gone away.
+    // Meanwhile other cloth may have passed through it, and its frame and skin may have moved.
     if (has_features()) state.may_cross = 1;
     if (state.frame) *state.frame = {.pose = state.frame->target, .target = state.frame->target};
     state.skin.stand_still();
 }
 
-// It stays where it is drawn, and when it wakes it begins from rest.
+// A sleeping cloth stays where it is drawn, and wakes at rest.
 void Cloth::fall_asleep() noexcept {
     state.rest->asleep = 1;
     stand_still();

@@ -1,13 +1,13 @@
 #pragma once
-// Which cloths a step takes.
+// The choice of the cloths that a step takes.
 
 #include "cloth/simulation/simulation.h"
 
 namespace weft {
 
-/// Finds those that are enabled and awake, for a step of dt seconds.
+/// Lists the cloths that are enabled and awake, for a step of dt seconds.
 void choose_present(Simulation& world, float dt);
-/// After a step.
+/// Updates a cloth's time of stillness, after a step of dt seconds.
 void count_still_time(Cloth& cloth, float dt);
 
 }  // namespace weft

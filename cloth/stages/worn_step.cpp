@@ -1,4 +1,4 @@
-// What of a step belongs to frames that carry cloths, and to the limits of worn cloth.
+// Transport of cloths by their frames; motions of colliders and of worn limits over a substep.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace weft {
 
 namespace {
 
-/// Whether rounding at its place can take the gap that features are kept at.
+/// Whether rounding, at the cloth's distance from the origin, can close the least gap of features.
 bool rounds_gaps_away(const Cloth& cloth) {
     const Vec3 &lower = cloth.extent.lower, &upper = cloth.extent.upper;
     const float farthest = std::max({-lower.x, -lower.y, -lower.z, upper.x, upper.y, upper.z});
@@ -21,7 +21,7 @@ bool rounds_gaps_away(const Cloth& cloth) {
     return step * farthest > 0.125f * cloth.as_body().floor;
 }
 
-/// Round the cloth where it is and where it is carried to.
+/// Box around the cloth before and after its transport.
 Eigen::AlignedBox3d box_over_carry(const Cloth& cloth) {
     const Eigen::AlignedBox3d here(to_vector(cloth.extent.lower).cast<double>(),
                                    to_vector(cloth.extent.upper).cast<double>());
@@ -40,7 +40,7 @@ bool stays_within_reach(const Cloth& cloth) {
            box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() <= double{runaway_distance};
 }
 
-/// Whether features of one may be carried across those of the other.
+/// Whether transport may move features of one cloth across those of the other.
 bool may_be_carried_across(const Cloth& a, const Cloth& b) {
     const auto reach = static_cast<double>(a.as_body().radius + b.as_body().radius);
     return box_over_carry(a).exteriorDistance(box_over_carry(b)) <= reach;
@@ -56,7 +56,7 @@ bool is_moved(const Cloth& cloth) {
     return cloth.carried && cloth.carried->moves;
 }
 
-/// Over the substep, as a cloth that is carried before the step sees them; null: as they are.
+/// Fills `motions` with the colliders over the substep, relative to a cloth's transport; null: without one.
 void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions, std::uint32_t mask,
                   const Substep& substep, const Carried* carried) {
     motions.clear();
@@ -68,8 +68,8 @@ void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions,
         ColliderMotion& motion =
             motions.emplace_back(ColliderMotion{from, slot.target, world.settings.max_speed});
         motion.held = world.held_by(slot.target);
-        // A collider that jumps is at its target from the first substep on: half way it would meet what lies
-        // there.
+        // A collider that jumps is at its target from the first substep on: half way it would hit cloth that
+        // lies there.
         if (!has_jumped(motion, substep.h * static_cast<float>(substep.count))) {
             motion.start = blend(from, slot.target, substep.begin());
             motion.end = blend(from, slot.target, substep.end());
@@ -84,8 +84,8 @@ void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions,
 
 }  // namespace
 
-// Cloth that is carried across another, or so far off that rounding can make features cross, may cross
-// something then.
+// Cloth that is transported across another, or so far from the origin that rounding can make features cross,
+// may cross something afterwards.
 void plan_carries(Simulation& world, float dt) {
     bool any = false;
     for (Cloth* cloth : world.present) {
@@ -111,7 +111,7 @@ void plan_carries(Simulation& world, float dt) {
     }
 }
 
-/// Finds how colliders move that a set's cloths may meet; a cloth that is carried sees them its own way.
+/// Updates the motions of colliders that a set's cloths may meet, and the own lists of transported cloths.
 void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* const> set,
                    const Substep& substep) {
     std::uint32_t mask = 0;
@@ -147,7 +147,7 @@ void hold_worn(Simulation& world, Worker& worker, Cloth& cloth) {
     cloth.worn.hold(worker.parallel, cloth.state.positions.span(), cloth.state.velocities.span());
 }
 
-/// Once the step has ended: how far limits gave way to cloth, and what the next step begins with.
+/// After the step: measures by how much worn limits gave way, and moves the skin to its targets.
 void end_worn(Worker& worker, Cloth& cloth) {
     cloth.limit_lag = {};
     if (cloth.worn.is_holding() && cloth.has_features() && !cloth.restored)

@@ -1,5 +1,5 @@
 #pragma once
-// How colliders and limits move over a substep, as cloths see them that frames carry.
+// Transport of cloths by their frames; motions of colliders and of worn limits over a substep.
 
 #include <span>
 
@@ -8,16 +8,17 @@
 
 namespace weft {
 
-/// Plans how frames carry cloths before a step of dt seconds.
+/// Plans the transport of cloths by their frames, before a step of dt seconds.
 void plan_carries(Simulation& world, float dt);
 
-/// Finds how colliders move that a set's cloths may meet; a cloth that is carried sees them its own way.
+/// Updates the motions of colliders that a set's cloths may meet. A cloth that its frame transports has a
+/// list of its own, relative to the transport.
 void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* const> set,
                    const Substep& substep);
 [[nodiscard]] inline std::vector<ColliderMotion>& colliders_of(const Worker& worker, Cloth& cloth) {
     return cloth.carried ? cloth.seen_colliders : worker.motions;
 }
-/// Those of them that are in the cloth's equation.
+/// Motions of the colliders that are in the cloth's equation.
 [[nodiscard]] inline std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,
                                                                            Cloth& cloth) {
     return meets_in_equation(cloth.settings) ? std::span<const ColliderMotion>(colliders_of(worker, cloth))
@@ -28,7 +29,7 @@ void begin_contacts(const Worker& worker, Cloth& cloth, const ClothSide& side, c
 
 /// Puts the cloth back within its leashes and backstops.
 void hold_worn(Simulation& world, Worker& worker, Cloth& cloth);
-/// Once the step has ended: how far limits gave way to cloth, and what the next step begins with.
+/// After the step: measures by how much worn limits gave way, and moves the skin to its targets.
 void end_worn(Worker& worker, Cloth& cloth);
 
 }  // namespace weft

@@ -1,5 +1,5 @@
 #pragma once
-// What of contact with colliders goes on from step to step.
+// Collider contact that persists from step to step.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace weft {
 
-/// How hard particles press on colliders, and rub, from one step to the next.
+/// Normal and friction impulses between particles and colliders, from one step to the next.
 struct HeldContacts {
-    static constexpr std::uint32_t group = 16;  ///< particles
+    static constexpr std::uint32_t group = 16;  ///< particles per entry of `touching`
 
-    AlignedBuffer<Vec4> normals;            ///< of contact, 0 without it; w the impulse along it [kg m/s]
-    AlignedBuffer<float> rubbed;            ///< what the damper took when last looked at [kg m/s]
-    AlignedBuffer<float> loads;             ///< what they bear at rest: of the impulse along the normal, what
-                                            ///< did not go into stopping the particle [kg m/s]
-    AlignedBuffer<std::uint32_t> touching;  ///< per group of 16: whether a particle of it is in contact; else
-                                            ///< the others are 0
+    AlignedBuffer<Vec4> normals;            ///< contact normal, 0 without contact; w its impulse [kg m/s]
+    AlignedBuffer<float> rubbed;            ///< friction impulse of the damper, as last computed [kg m/s]
+    AlignedBuffer<float> loads;             ///< load at rest: the normal impulse less the share that
+                                            ///< stopped the particle [kg m/s]
+    AlignedBuffer<std::uint32_t> touching;  ///< per group of 16: whether any particle is in contact; if none
+                                            ///< is, the other arrays are 0 there
 
     HeldContacts() = default;
     explicit HeldContacts(std::uint32_t particles)

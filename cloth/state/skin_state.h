@@ -1,5 +1,5 @@
 #pragma once
-// What of limits changes from step to step.
+// The skin that worn limits are measured from: state that changes from step to step.
 
 #include <algorithm>
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace weft {
 
-/// Where particles' skin is now and at the end of the next step; empty without limits.
+/// Each particle's place on the skin, now and at the end of the next step. Empty without limits.
 struct SkinState {
     AlignedBuffer<Vec4> places, target_places;    ///< [m], w 0
     AlignedBuffer<Vec4> normals, target_normals;  ///< of unit length, w 0; empty without backstops
-    std::uint32_t known = 0;                      ///< whether the host has said where it is
+    std::uint32_t known = 0;                      ///< 1: the host has set places and normals
 
-    /// It is where it was to go.
+    /// The skin has arrived at its targets.
     void stand_still() noexcept {
         std::ranges::copy(std::as_const(target_places).span(), places.data());
         std::ranges::copy(std::as_const(target_normals).span(), normals.data());

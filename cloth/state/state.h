@@ -1,6 +1,6 @@
 #pragma once
-// All that changes from step to step. What is not in here is made from the mesh and the settings, or anew in
-// each step: a World that gets a copy of its state back goes on with the same bytes.
+// All state that changes from step to step. Everything else follows from the mesh and the settings, or is
+// made anew in each step: a World whose state is restored continues with the same bytes.
 
 #include <array>
 #include <cstdint>
@@ -23,18 +23,18 @@
 
 namespace weft {
 
-/// A pinned particle and where it shall be at the end of the next step [m].
+/// A pinned particle and its target position at the end of the next step [m].
 struct Pin {
     std::uint32_t particle;
     Vector3 target;
 };
 
-/// What BDF2 knows of the last step; empty without it.
+/// The last step, as BDF2 extrapolates it. Empty with other time schemes.
 struct StepRecord {
-    float h = 0;                           ///< its length [s]; 0: there was none
+    float h = 0;                           ///< length of the step [s]; 0: no step to go on from
     AlignedBuffer<Vec4> displacements;     ///< [m]
     AlignedBuffer<Vec4> velocity_changes;  ///< [m/s]
-    AlignedBuffer<Vec4> arrivals;          ///< where it ended [m]
+    AlignedBuffer<Vec4> arrivals;          ///< positions at its end [m]
 
     StepRecord() = default;
     explicit StepRecord(std::uint32_t particles)
@@ -46,18 +46,18 @@ struct StepRecord {
     }
 };
 
-/// How still a cloth is.
+/// Stillness of a cloth, which decides when it falls asleep.
 struct Rest {
-    float still_for = 0;  ///< no particle has been fast [s]
+    float still_for = 0;  ///< time for which no particle has been fast [s]
     std::uint32_t asleep = 0;
 };
 
-/// By how much less than it is set to a cloth is stepped.
+/// The level of detail at which the budget has a cloth stepped.
 struct DetailState {
     std::uint32_t rung = 0;  ///< see budget/ladder.h
-    std::uint32_t rate = 1;  ///< steps that its last one was long
-    std::uint32_t left = 0;  ///< of these, in which it is still to move on
-    /// It takes long steps where the World's number of steps leaves this; none: it takes none.
+    std::uint32_t rate = 1;  ///< length of the cloth's last step, in steps of the World
+    std::uint32_t left = 0;  ///< steps of the World that remain until the end of that step
+    /// Long steps begin where the World's step number modulo the rate is this; no_phase: none begin.
     std::uint32_t phase = no_phase;
     static constexpr std::uint32_t no_phase = ~0u;
     std::uint32_t since = 0;  ///< the World's step in which its rung changed
@@ -68,43 +68,42 @@ struct DetailState {
     }
 };
 
-/// Where a cloth's frame is, is to be at the end of the next step, and how its origin last moved.
+/// Pose of a cloth's reference frame, its target at the end of the next step, and its origin's last motion.
 struct FrameState {
     Transform pose, target;
-    Vec3 velocity{}, velocity_change{};  ///< [m/s]; the change in the last part of the last step
+    Vec3 velocity{}, velocity_change{};  ///< of the origin [m/s]; the change in the last step's last part
 };
 
-/// What a cloth gave a body [N s, N m s].
+/// Impulse and angular impulse from a cloth to a body [N s, N m s].
 struct BodyShare {
     std::array<float, 6> last{};  ///< in the last substep
-    std::array<float, 6>
-        echo{};  ///< in its last equation, of which BDF2 gives a part more in the next, see Bdf
+    std::array<float, 6> echo{};  ///< in its last equation; the next one repeats 1 / Bdf::divisor of it
 };
 
-/// One cloth's. Loose and pinned particles have inverse mass 0.
+/// State of one cloth. Loose and pinned particles have inverse mass 0.
 struct ClothState {
     AlignedBuffer<Vec4> positions;           ///< x y z [m], w inverse mass [1/kg]
-    AlignedBuffer<Vec4> previous_positions;  ///< at the start of the step, w likewise
+    AlignedBuffer<Vec4> previous_positions;  ///< at the start of the step [m], w inverse mass [1/kg]
     AlignedBuffer<Vec4> velocities;          ///< x y z [m/s], w 0
     AlignedBuffer<Vec4> normals;             ///< x y z of unit length, w 0
     std::vector<Pin> pins;                   ///< in ascending order of particles
-    std::optional<FrameState> frame;         ///< only if it lives in one
+    std::optional<FrameState> frame;         ///< only of a cloth in a reference frame
     SkinState skin;
-    StepRecord record;                    ///< only with BDF2
-    HeldContacts held;                    ///< only with colliders, and if the solver is implicit
-    AlignedBuffer<TangleMemory> tangles;  ///< only with contact
-    std::vector<BodyShare> shares;        ///< of each body, in the order of their ids
-    /// Features may cross: those that came so, until a search finds that none does. Not 0: they may.
+    StepRecord record;  ///< only with BDF2
+    HeldContacts held;  ///< only of implicit solvers, with colliders, worn limits or features
+    AlignedBuffer<TangleMemory> tangles;  ///< only with features in contact
+    std::vector<BodyShare> shares;        ///< one per body, in the order of ids
+    /// Not 0: features may cross, until a search finds that none does.
     std::uint32_t may_cross = 0;
     std::optional<Rest> rest;           ///< only where it may fall asleep
     std::optional<DetailState> detail;  ///< only with a budget
-    AlignedBuffer<Vec4> ahead;          ///< likewise: where its last step ended, if it was long
+    AlignedBuffer<Vec4> ahead;          ///< only with a budget: positions at the end of a long step [m]
     std::uint32_t halved = 0;           ///< steps still to be taken in halves, since contact cut much of late
 
     ClothState() = default;
     explicit ClothState(std::uint32_t particles)
         : positions(particles), previous_positions(particles), velocities(particles), normals(particles) {}
-    /// Of use to be copied alone: only places have memory.
+    /// A prototype, only to be copied: velocities and normals have a size but no memory.
     ClothState(std::uint32_t particles, Unmade later)
         : positions(particles),
           previous_positions(particles),
@@ -119,11 +118,11 @@ struct ClothState {
     }
 };
 
-/// A collider now, and where the host wants it at the end of the next step.
+/// A collider at present, and its target at the end of the next step.
 struct ColliderSlot {
     Collider current, target;
-    BodyId body{};   ///< that carries it; null: none
-    Collider own{};  ///< then: in the body's frame
+    BodyId body{};   ///< the body that it is attached to; null: none
+    Collider own{};  ///< the attached collider in the body's frame
 };
 
 struct BodySlot {
@@ -131,13 +130,13 @@ struct BodySlot {
     BodyState state;
 };
 
-/// What a World has besides its cloths.
+/// State of a World besides its cloths.
 struct WorldState {
     explicit WorldState(SlotMap<ColliderId, ColliderSlot>&& no_colliders)
         : colliders(std::move(no_colliders)) {}
 
     std::uint64_t steps = 0;            ///< taken since the World was made
-    double time = 0;                    ///< [s] since then
+    double time = 0;                    ///< simulated since then [s]
     std::array<double, 3> wind_path{};  ///< path of the mean wind since then [m]
     SlotMap<ColliderId, ColliderSlot> colliders;
     SlotMap<BodyId, BodySlot> bodies{new_first_generation()};
@@ -151,7 +150,7 @@ void visit_pins(Pins& pins, const Visit& visit) {
     }
 }
 
-/// visit(span) for every part of a state, in one order: for hashing, writing out, and reading back. `State`
+/// Calls visit(span) for every part of a state, in a fixed order: for hashing, saving and restoring. `State`
 /// may be const.
 template <class State, class Visit>
 requires std::same_as<std::remove_const_t<State>, ClothState>
@@ -188,7 +187,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(std::span(&state.halved, 1));
 }
 
-/// Which shape an instance is of does not change, and its id is another in every World.
+/// Leaves out PlacedShape::shape: that id never changes, and differs between Worlds.
 template <class Kind, class Visit>
 void visit_shape(Kind& shape, const Visit& visit) {
     if constexpr (std::same_as<std::remove_const_t<Kind>, PlacedShape>) {
@@ -199,8 +198,8 @@ void visit_shape(Kind& shape, const Visit& visit) {
     }
 }
 
-/// What a collider's surface is besides rough. A visitor that says so does without what is as it is by
-/// default: a hash stays what it was before there was any of this.
+/// Visits a collider's surface settings other than friction. A visitor with skips_defaults gets none of them
+/// if all have their defaults: so hashes stay what they were before these settings existed.
 template <class Kind, class Visit>
 void visit_surface(Kind& collider, const Visit& visit) {
     if constexpr (requires { Visit::skips_defaults; }) {

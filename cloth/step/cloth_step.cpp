@@ -48,8 +48,8 @@ void guard(Simulation& world, Worker& worker, Cloth& cloth) {
 
 }  // namespace
 
-// Gusts change little in a step: they are sampled once, at its start, and felt in every substep. A step
-// begins with the normals that the last one ended with, since only steps move particles.
+// Gusts change little in a step: they are sampled once, at its start, and act in every substep. A step begins
+// with the normals that the last one ended with, since only steps move particles.
 void predict(Simulation& world, Worker& worker, Cloth& cloth, float dt, const Substep& substep) {
     if (substep.is_first()) {
         if (cloth.carried) {

@@ -1,16 +1,16 @@
 #pragma once
-// What each cloth does for itself in a step.
+// The stages of a step that each cloth takes for itself.
 
 #include "cloth/simulation/simulation.h"
 #include "cloth/simulation/substep.h"
 
 namespace weft {
 
-/// Before a substep is solved, of a step of dt seconds: goes with its frame, sends pins on their way, and
-/// feels the air.
+/// Before the solve of a substep, in a step of dt seconds: transports the cloth with its frame, sets its
+/// pins' velocities, and computes the air's forces.
 void predict(Simulation& world, Worker& worker, Cloth& cloth, float dt, const Substep& substep);
-/// Once all substeps are solved: sees that the state is sound, and makes what is drawn. One on a long step
-/// goes on to where that ended.
+/// After all substeps: checks that the state is sound, and computes normals. A cloth in a long step is
+/// interpolated towards that step's end instead.
 void arrive(Simulation& world, Worker& worker, Cloth& cloth);
 
 }  // namespace weft

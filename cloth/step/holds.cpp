@@ -1,5 +1,5 @@
-// How cloth comes to what holds it where that has moved without it: while the cloth was off, or before the
-// host had said where the skin is.
+// Teleports of cloth to what holds it, after that has moved without the cloth: while the cloth was disabled,
+// or before the host first set the skin.
 
 #include <algorithm>
 #include <limits>
@@ -18,10 +18,10 @@ namespace {
 
 using Vector3d = Eigen::Vector3d;
 
-/// What is nearer than this gets there in a step, without a teleport [m].
+/// Distance from which a step brings cloth to what holds it, without a teleport [m].
 constexpr float near_enough = 1e-3f;
 
-/// A particle that is held, and where.
+/// A particle that is held, and its place.
 struct Hold {
     std::uint32_t particle;
     Vector3d at;
@@ -38,7 +38,7 @@ bool is_still(const Cloth& cloth, const Pin& pin) {
     return pin.target == xyz(cloth.state.positions[pin.particle]);
 }
 
-/// visit(particle, place) for what holds a cloth all the way: pins, and bodies where there is no pin.
+/// visit(particle, place) for particles with a fixed place: by pins, and by bodies where there is no pin.
 template <class Visit>
 void for_each_fixed(const Cloth& cloth, const WorldState& world, const Visit& visit) {
     for (const Pin& pin : cloth.state.pins) visit(pin.particle, pin.target);
@@ -49,8 +49,8 @@ void for_each_fixed(const Cloth& cloth, const WorldState& world, const Visit& vi
     }
 }
 
-/// The least-squares rigid motion (Kabsch 1976). Where holds leave a turn open, as those on one line do, it
-/// is the smallest one, about the vertical before all others.
+/// The least-squares rigid motion (Kabsch 1976). Where holds leave a rotation undetermined, as holds on one
+/// line do, it is the smallest one, and preferably about the vertical.
 RigidMotion fit(const ClothState& state, std::span<const Hold> holds) {
     const double share = 1 / static_cast<double>(holds.size());
     const auto from = [&](const Hold& hold) -> Vector3d {

@@ -1,4 +1,4 @@
-// The World's origin, moved.
+// Moves the World's origin.
 
 #include "cloth/simulation/simulation.h"
 
@@ -25,13 +25,13 @@ void shift(ClothState& state, const Vector3& to) {
 
 }  // namespace
 
-// Gusts stay where they are: the air has come less far.
+// The path of the wind is shifted, too: so gusts stay where they are.
 void Simulation::shift_origin(const Vec3& to) {
     const Vector3 by = to_vector(to);
     const RigidMotion motion{.shift = -by.cast<double>()};
     cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         shift(cloth->state, by);
-        cloth->surface.forget();  // rounded otherwise, the triangles have other normals
+        cloth->surface.forget();  // positions round differently, so normals change
         cloth->state.may_cross = cloth->has_features() ? 1 : 0;
         cloth->extent = survey(parallel, cloth->state, cloth->partial_surveys.span());
     });

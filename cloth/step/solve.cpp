@@ -1,4 +1,4 @@
-// The solve of a substep: each group of cloths takes it as one equation, in as many parts as it needs.
+// The solve of a substep: the equations of each group of cloths, in as many parts as the group needs.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace weft {
 
 namespace {
 
-/// Its method and its contact let it be in an equation with other cloths, and with pairs of features.
+/// Whether a cloth's method and contact allow it in an equation with other cloths and pairs of features.
 bool can_join(const Cloth& cloth) {
     return cloth.solver->joins() && !has_zones(cloth.settings.self_collision);
 }
@@ -36,15 +36,15 @@ float common_gamma(std::span<Cloth* const> cloths, float h) {
     return most;
 }
 
-// Where layers come together by many distances in a step there are more pairs than a list holds, and what is
-// cut leaves knots. Half the motion has half as many.
+// Where layers approach by many contact radii in a step, their pairs overflow the list, and the cut leaves
+// knots. Half the motion has half as many pairs.
 bool was_cut_much(std::span<Cloth* const> featured) {
     if (featured.empty()) return false;
-    constexpr std::uint32_t most = 400;  // of so many particles one may have been
+    constexpr std::uint32_t most = 400;  // one particle in so many may have been cut
     std::uint32_t particles = 0;
     for (const Cloth* cloth : featured) particles += cloth->state.size();
     const FeatureCounts& counts = featured.front()->feature_counts;
-    if (counts.unresolved > 0) return false;  // by zones, which cut nothing
+    if (counts.unresolved > 0) return false;  // zones cut nothing
     // Half steps would push crossing cloth apart twice, and it would fly.
     const bool is_tangled = counts.tangles.crossings > 0;
     return counts.overflowed || (!is_tangled && most * counts.truncated > particles);
@@ -86,10 +86,10 @@ struct SetEnds {
     std::size_t alone, first_order;
 };
 
-/// Each cloth that cannot be in an equation with others is a set; then those whose step is of first order
-/// are, as far as there are any, and those whose step is of second order.
+/// Orders a group's cloths by sets: first each cloth that cannot share an equation, as a set of one; then the
+/// set of those whose step is first order, and the set of those whose step is second order, if not empty.
 SetEnds order_by_sets(const Simulation& world, Group& group, std::span<Cloth* const> cloths, float h) {
-    // There is one list of colliders with which bodies move.
+    // Bodies move the colliders of one list, and a transported cloth has a list of its own.
     const auto is_alone = [&](const Cloth& cloth) {
         return !can_join(cloth) || (world.body_stage && cloth.carried);
     };
@@ -209,8 +209,8 @@ void collide_with_colliders(Simulation& world, Worker& worker, Cloth& cloth, con
         cloth.collider_contacts = std::max(cloth.collider_contacts, cloth.contacts->pressing());
 }
 
-// The order says what matters more, the most important last: springs' limits, other cloth, colliders, leashes
-// and backstops.
+// Each stage overrides those before it, so the most important is last: springs' limits, other cloth,
+// colliders, leashes and backstops.
 void settle(Simulation& world, Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(world, worker, cloth);
     avoid_self_collision(world, worker, cloth, part.h);
@@ -307,8 +307,8 @@ void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth*
             limit_speeds(worker.parallel, world.settings.max_speed, cloth->state.velocities.span());
 }
 
-// Set after set is solved and moved; whoever has gone is for the others where it then is. What contact does
-// at the end is the last set's to tell bodies.
+// Sets are solved and moved one after the other; in a set's equation all other cloths are fixed where they
+// then are. Impulses on bodies from the end of contact are passed on with the last set's.
 void solve_part(Simulation& world, Worker& worker, Group& group, Scratch scratch,
                 std::span<Cloth* const> cloths, const Substep& part) {
     const std::span<Cloth* const> featured = group.all_featured();
@@ -332,7 +332,7 @@ void solve_part(Simulation& world, Worker& worker, Group& group, Scratch scratch
 
 }  // namespace
 
-// All its cloths take as many parts as the one that needs most: what touches is where it is at one time.
+// All cloths of a group take as many parts as the one that needs most, so that they touch at the same time.
 void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, float dt,
            const Substep& substep) {
     Scratch scratch(worker.scratch);

@@ -9,8 +9,8 @@
 
 namespace weft {
 
-/// A group of cloths takes the substep, of a step of dt seconds, as one equation, in as many parts as it
-/// needs.
+/// Solves a substep of a group of cloths, in a step of dt seconds, in as many parts as colliders and contact
+/// need.
 void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, float dt,
            const Substep& substep);
 

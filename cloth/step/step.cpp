@@ -1,4 +1,4 @@
-// The frame: how a World steps.
+// A World's step.
 
 #include <algorithm>
 #include <atomic>
@@ -47,8 +47,8 @@ void share_out_time(const Schedule::Group& group, std::int64_t nanoseconds) {
             nanoseconds * cloth->model.particle_count / std::max<std::int64_t>(particles, 1);
 }
 
-// First the threads take what suits one of them, the k-th begins with the k-th group, and each goes on with
-// the next that is left, then all of them work on one large group after the other. No loop runs within
+// Groups for one thread come first: the k-th thread begins with the k-th group, and goes on with the next
+// that is left. Then all threads work on one large group after the other. No parallel loop runs within
 // another.
 template <class Work>
 void for_each_group(Simulation& world, const Schedule& schedule, const Work& work) {

@@ -1,4 +1,4 @@
-// What a step says of each cloth, and of all of them.
+// A step's report, of each cloth and of all of them.
 
 #include <algorithm>
 #include <cmath>

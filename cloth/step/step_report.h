@@ -1,5 +1,5 @@
 #pragma once
-// What a step says of each cloth, and of all of them.
+// A step's report, of each cloth and of all of them.
 
 #include "cloth/simulation/simulation.h"
 

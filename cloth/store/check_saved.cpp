@@ -19,7 +19,7 @@ namespace weft {
 
 namespace {
 
-// What is carried along, by a frame or a body, may be beyond where the host may put it: these are wide.
+// Wider limits than those for hosts: frames and bodies may transport objects beyond where hosts may put them.
 constexpr float farthest_part = 10 * runaway_distance;  // [m]
 constexpr float fastest_part = 1e6f;                    // [m/s]
 constexpr float most = std::numeric_limits<float>::max();
@@ -33,7 +33,7 @@ Result<void> sound_or(bool sound, const std::string& of, const char* what) {
     return {};
 }
 
-/// Numbers are copied to where they are aligned, so many at a time.
+/// Reads numbers and checks them. They are copied to an aligned buffer, piece by piece.
 class SavedNumbers {
   public:
     explicit SavedNumbers(const SaveReader& reader) : reader_(reader) {}
@@ -42,7 +42,7 @@ class SavedNumbers {
         return check_all(count, limit, [](std::span<float>) {});
     }
     [[nodiscard]] bool rows_within(std::size_t rows, float limit) const { return within(4 * rows, limit); }
-    /// Whatever their last components are.
+    /// rows_within(), without the rows' last components.
     [[nodiscard]] bool places_within(std::size_t rows, float limit) const {
         return check_all(4 * rows, limit, [](std::span<float> chunk) {
             for (std::size_t k = 3; k < chunk.size(); k += 4) chunk[k] = 0;
@@ -77,7 +77,7 @@ bool is_within(const Vec3& v, float limit) {
     return are_within(std::array{v.x, v.y, v.z}, limit);
 }
 
-/// One that a body carried may be farther out than the host may put it.
+/// Whether a collider is valid; one that a body moved may be farther out than the host may put it.
 bool is_sound(const Collider& collider) {
     if (validate(collider)) return true;
     if (std::holds_alternative<Plane>(collider.shape)) return false;
@@ -97,7 +97,7 @@ bool is_sound(const Collider& collider) {
            validate(moved(collider, {.shift = -to_vector(at).cast<double>()})).ok();
 }
 
-/// A bool of any other byte is none.
+/// Whether the byte of is_trigger is that of a bool.
 bool has_sound_trigger(const Collider& collider) {
     std::uint8_t byte = 0;
     std::memcpy(&byte, &collider.is_trigger, 1);
@@ -129,7 +129,7 @@ Result<void> check_frame(const std::string& name, const FrameState& frame) {
                     name, "its frame is none");
 }
 
-/// What BDF2 does not look at may be anything.
+/// Checks the values of the record that BDF2 reads: none but h if h is 0.
 Result<void> check_record(const std::string& name, const ClothHead& head, const SavedNumbers& numbers) {
     const auto h = numbers.one<float>();
     const bool steps = numbers.rows_within(head.record, farthest_part);
@@ -205,7 +205,7 @@ Result<void> check_shape_part(std::size_t number, const ShapeHead& head, const S
     return sound_or(places && ways, "its shape " + std::to_string(number), " has a vertex that is no place");
 }
 
-// In the order of for_each_part(): what follows the skin is looked at by no step as more than it can be.
+// In the order of for_each_part(). Parts behind the skin are not checked: steps accept any values there.
 Result<void> check_cloth_part(std::size_t number, const ClothHead& head, const ClothState& here,
                               const SaveReader& reader) {
     const std::string name = "in its cloth " + std::to_string(number) + " ";

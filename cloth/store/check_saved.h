@@ -1,7 +1,7 @@
 #pragma once
-// Whether what a save holds is what a World can come to. A right checksum does not say so: whoever changes a
-// save can make that, too. What a step finds things by has to be in its range, and what it computes with has
-// to be numbers; that the motion is physical nobody asks.
+// Checks that a save's values are ones that a World can reach. The checksum does not suffice: whoever changes
+// a save can compute it anew. Indices must be in range, and values finite and within limits; whether the
+// motion is physical is not checked.
 
 #include <cstddef>
 
@@ -11,12 +11,13 @@
 
 namespace weft {
 
-/// Of the World's own part. Precondition: as many bytes are there as that takes here.
+/// Checks the World's own part. Precondition: all bytes of that part are there.
 [[nodiscard]] Result<void> check_world_part(const WorldState& here, const SaveReader& reader);
-/// Of a shape that was deformed, behind its head.
+/// Checks the part of a deformed shape, which follows its head.
 [[nodiscard]] Result<void> check_shape_part(std::size_t number, const ShapeHead& head,
                                             const SaveReader& reader);
-/// Of a cloth, behind its head, which fits the one here. Precondition: as many bytes are there as that says.
+/// Checks the part of a cloth, which follows its head. Preconditions: the head fits the cloth here, and all
+/// bytes that it announces are there.
 [[nodiscard]] Result<void> check_cloth_part(std::size_t number, const ClothHead& head, const ClothState& here,
                                             const SaveReader& reader);
 

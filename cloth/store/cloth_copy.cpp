@@ -1,4 +1,4 @@
-// A cloth from a cooked one, and what memory each has for itself.
+// Copies of a cooked cloth, and the memory of each.
 
 #include "cloth/instance/cloth.h"
 #include "cloth/instance/make_solver.h"

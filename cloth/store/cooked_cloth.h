@@ -1,5 +1,5 @@
 #pragma once
-// What a CookedCloth holds.
+// The data of a CookedCloth.
 
 #include <memory>
 #include <optional>
@@ -22,10 +22,10 @@ struct WEFT_LOCAL CookedCloth::Impl {
         complete();
     }
 
-    const Cloth cloth;  ///< never in a World: others are copies of it, and one that was read can be no more
+    const Cloth cloth;  ///< a prototype, only to be copied: never in a World
     ClothInfo info;
     CookReport report;
-    std::optional<SavedLevels> levels;  ///< the cloth's, if its method has any: for the file
+    std::optional<SavedLevels> levels;  ///< of the cloth's solver, for the file; none if its method has none
 
   private:
     void complete() {

@@ -28,7 +28,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
-/// Another number for each change of what follows, or of how meshes are cooked.
+/// Raised with each change of the format below, or of how meshes are cooked.
 constexpr std::uint32_t cooked_version = 9;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 
@@ -41,14 +41,14 @@ struct CookedHead {
     std::uint32_t has_neighbours_of_features = 0;  ///< those by contact's rule rather than by avoidance's
     std::uint32_t bending_ratio = 0;               ///< the float's bits
     std::uint32_t unused = 0;
-    std::uint64_t bytes = 0;  ///< of all
+    std::uint64_t bytes = 0;  ///< of the whole file
     std::uint64_t hash = 0;   ///< of the head with 0 here, and of all behind it, in pieces
 };
 static_assert(std::has_unique_object_representations_v<CookedHead>);
 static_assert(sizeof(CookedHead) == memory_alignment, "lists begin behind it");
 static_assert(sizeof(ClothInfo) == 96, "without padding");
 
-/// visit(list) for each list of the model and the report; `Info` is of one item.
+/// Calls visit(list) for each list of the model and the report; `info` is a list of one item.
 template <class Model, class Info, class Report, class Visit>
 void for_each_list(Model& model, Info& info, Report& report, Visit& visit) {
     visit(info);
@@ -81,7 +81,7 @@ Error refused(const std::string& why) {
     return {ErrorCode::malformed_file, "the cooked cloth " + why};
 }
 
-/// Adds a head without its hash, then what is behind it piece by piece, each after prepare(piece).
+/// Hash of a head, its own hash taken as 0, and of the bytes behind it, each piece after prepare(at, piece).
 template <class Prepare>
 std::uint64_t hash_of(CookedHead head, std::span<const std::byte> behind, const Prepare& prepare) {
     constexpr std::size_t piece = std::size_t{1} << 16;
@@ -110,13 +110,13 @@ Result<CookedHead> read_head(std::span<const std::byte> saved) {
     return head;
 }
 
-/// Bytes that somebody keeps, behind the head.
+/// The bytes behind the head, and who owns them.
 struct KeptBytes {
     std::span<const std::byte> bytes;
     std::shared_ptr<const void> owner;
 };
 
-/// What is behind the head, with its checksum looked at: where it lies, or without an owner in a copy.
+/// Checks the checksum, and returns the bytes in place, or in a copy if they have no owner or are unaligned.
 Result<KeptBytes> keep(const CookedHead& head, KeptBytes saved) {
     const bool is_aligned = reinterpret_cast<std::uintptr_t>(saved.bytes.data()) % memory_alignment == 0;
     std::uint64_t hash = 0;
@@ -135,7 +135,7 @@ Result<KeptBytes> keep(const CookedHead& head, KeptBytes saved) {
     return saved;
 }
 
-/// Numbers that a mesh could have led to.
+/// Whether a mesh could have led to the model's numbers.
 bool are_sound(const ClothModel& model) {
     std::uint32_t bits = 0;
     for (const Vec4& p : model.positions) bits |= std::bit_cast<std::uint32_t>(p.w);
@@ -148,8 +148,8 @@ bool are_sound(const ClothModel& model) {
            are_within(numbers_of<float>(model.panel_sides));
 }
 
-/// The masses of particles are of areas that triangles can have; loose particles have none. Precondition:
-/// lists are of their sizes.
+/// Whether rest areas of particles are ones that triangles can have, and 0 for loose particles. Precondition:
+/// lists have their right sizes.
 bool have_areas(const ClothModel& model) {
     constexpr float least = 0.3f * static_cast<float>(least_area);  // a third, rounded
     constexpr float most = 8 * runaway_distance * runaway_distance * most_triangles_at_particle;
@@ -162,7 +162,7 @@ bool have_areas(const ClothModel& model) {
     return are_right;
 }
 
-/// What it says of the mesh is so, as far as it can be seen here; edges are no longer than the mesh can be.
+/// Whether the counts are those of the model, and the mean edge is no longer than a mesh can be.
 bool is_of(const ClothInfo& info, const ClothModel& model) {
     return info.particles == model.particle_count && info.vertices == model.vertex_to_particle.size() &&
            info.triangles == model.triangles.size() &&
@@ -170,8 +170,8 @@ bool is_of(const ClothInfo& info, const ClothModel& model) {
            are_from_zero(std::span(&info.mean_edge, 1)) && info.mean_edge <= 4 * runaway_distance;
 }
 
-/// That the triangles of a particle have it at a corner, each once. Precondition: offsets and numbers are
-/// within their lists.
+/// Whether the triangles listed for a particle have it at a corner, each listed once. Precondition: offsets
+/// and numbers are within their lists.
 bool have_their_corners(const ClothModel& model) {
     std::uint32_t wrong = 0;
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
@@ -201,7 +201,7 @@ bool are_components(const ClothModel& model) {
     return wrong == 0;
 }
 
-/// That no list names what another does not have.
+/// Whether lists have matching sizes, and numbers in them are in range.
 bool is_whole(const ClothModel& model) {
     const std::size_t n = model.particle_count, springs = model.neighbours.size(),
                       triangles = model.triangles.size(), vertices = model.vertex_to_particle.size();
@@ -229,7 +229,7 @@ bool is_whole(const ClothModel& model) {
            have_their_corners(model);
 }
 
-/// All that is behind the head.
+/// Visits all lists behind the head.
 template <class Visit>
 void visit_saved(const Cloth& cloth, const CookReport& report, const std::optional<SavedLevels>& levels,
                  Visit& visit) {

@@ -1,5 +1,5 @@
 #pragma once
-// All that changes from step to step in a World, in one order: what is hashed, and what is saved.
+// Visits all state of a World that changes from step to step, in one fixed order, for hashes and saves.
 
 #include <cstdint>
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// Of a shape: what deforming changed.
+/// Visits a shape's deformation; nothing of a shape that was not deformed.
 template <class Visit>
 void for_each_part(const HeldShape& shape, const Visit& visit) {
     const HeldShape::Deformation deformation = shape.deformation();
@@ -20,7 +20,8 @@ void for_each_part(const HeldShape& shape, const Visit& visit) {
     visit(std::span(&deformation.step, 1));
 }
 
-/// visit(span) for each part, and visit.head(head) for what says which parts of a shape or a cloth there are.
+/// Calls visit(span) for each part, and visit.head(head) before the parts of each shape and each cloth, whose
+/// sizes the head states.
 template <class Visit>
 void for_each_part(const Simulation& simulation, const Visit& visit) {
     for_each_part(simulation.state, visit);

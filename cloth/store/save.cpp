@@ -134,14 +134,14 @@ Result<void> check_cloth(std::size_t number, const ClothHead& saved, const Cloth
     return {};
 }
 
-/// A checksum can be made for any bytes.
+/// Error: fewer bytes are left. A correct checksum does not exclude that: it can be computed for any bytes.
 Result<void> check_left(const SaveReader& reader, std::size_t bytes) {
     if (reader.left() >= bytes) return {};
     return refused("is not whole, though its checksum is right: " + std::to_string(bytes) +
                    " bytes are to follow, of which there are " + std::to_string(reader.left()));
 }
 
-/// How many bytes a cloth's part has once it has other pins and a frame, or none.
+/// Bytes of a cloth's part with the pins and the frame that its head announces.
 std::size_t part_bytes(const ClothState& state, const ClothHead& head) {
     SaveSize size;
     for_each_part(state, size);
@@ -156,13 +156,13 @@ std::vector<Pin> read_pins(const SaveReader& reader, std::uint32_t count) {
     return pins;
 }
 
-/// What of a saved cloth may be other than it is here.
+/// Parts of a saved cloth that may differ from the cloth here.
 struct Saved {
     std::vector<Pin> pins;
     bool in_frame;
 };
 
-/// A cloth's head, if what follows it is all there, fits the cloth here, and can be gone on from.
+/// Reads a cloth's head. Error: bytes are missing, do not fit the cloth here, or hold unsound values.
 Result<ClothHead> check_next_cloth(std::size_t number, const ClothState& here, std::uint32_t fingerprint,
                                    const SaveReader& reader) {
     ClothHead head;
@@ -179,7 +179,7 @@ struct SavedDeformation {
     std::uint64_t step = 0;
 };
 
-/// Before anything is changed: whether each shape can take its part, and the memory for that.
+/// Before anything is changed: checks the part of each shape, and allocates the memory that it needs.
 Result<std::vector<SavedDeformation>> prepare_shapes(Simulation& simulation, const SaveReader& reader) {
     std::vector<SavedDeformation> read;
     Result<void> checked;
@@ -212,7 +212,7 @@ Result<std::vector<SavedDeformation>> prepare_shapes(Simulation& simulation, con
     return read;
 }
 
-/// Before anything is changed: whether each cloth can take its part, and what its pins will need.
+/// Before anything is changed: checks the part of each cloth, and allocates what its pins need.
 Result<std::vector<Saved>> prepare_cloths(Simulation& simulation, const SaveReader& reader) {
     std::vector<Saved> cloths;
     Result<void> checked;

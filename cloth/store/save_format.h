@@ -18,7 +18,7 @@ namespace weft {
 
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
-/// Another number for each change of what follows the head.
+/// Raised with each change of the format behind the head.
 inline constexpr std::uint32_t save_version = 9;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
@@ -28,8 +28,8 @@ struct SaveHead {
     std::uint32_t cloths = 0;
     std::uint32_t colliders = 0;
     std::uint32_t bodies = 0;
-    std::uint32_t attached = 0;  ///< colliders and vertices, as attached_of() has them
-    std::uint32_t kinds = 0;     ///< of the colliders' shapes, as kinds_of() has them
+    std::uint32_t attached = 0;  ///< number of attached colliders and vertices, see attached_of()
+    std::uint32_t kinds = 0;     ///< hash of the kinds of the colliders' shapes, see kinds_of()
     std::uint32_t shapes = 0;
     std::uint32_t deformable = 0;  ///< vertices of all shapes
     std::uint64_t bytes = 0;       ///< of the whole save
@@ -37,7 +37,7 @@ struct SaveHead {
 };
 static_assert(std::has_unique_object_representations_v<SaveHead>);
 
-/// What of a shape's deformation there is: 0, or all of its vertices.
+/// Sizes of a shape's deformation: 0, or all of its vertices.
 struct ShapeHead {
     std::uint32_t vertices = 0, displacements = 0;
 
@@ -50,17 +50,17 @@ struct ShapeHead {
 };
 static_assert(std::has_unique_object_representations_v<ShapeHead>);
 
-/// What of a cloth's state there is, in items. Pins may differ from what the cloth has; the rest may not.
+/// Sizes of a cloth's state, in items. Pins and frame may differ from the cloth here; the rest may not.
 struct ClothHead {
     std::uint32_t pins = 0;
     std::uint32_t particles = 0;
-    std::uint32_t record = 0;   ///< of BDF2's last step
-    std::uint32_t held = 0;     ///< by colliders
-    std::uint32_t tangles = 0;  ///< remembered by contact
-    std::uint32_t rest = 0;     ///< 1: it may fall asleep
-    std::uint32_t skin = 0;     ///< places and normals of it
+    std::uint32_t record = 0;   ///< particles in BDF2's record
+    std::uint32_t held = 0;     ///< particles with collider contact
+    std::uint32_t tangles = 0;  ///< particles with tangle memory
+    std::uint32_t rest = 0;     ///< 1: the cloth may fall asleep
+    std::uint32_t skin = 0;     ///< places and normals
     std::uint32_t detail = 0;   ///< particles with a budget
-    std::uint32_t frame = 0;    ///< 1: it lives in one, which it need not here
+    std::uint32_t frame = 0;    ///< 1: the cloth is in a reference frame
     std::uint32_t mesh = 0;     ///< ClothModel::fingerprint
 
     ClothHead() = default;
@@ -76,12 +76,12 @@ struct ClothHead {
           frame(state.frame ? 1 : 0),
           mesh(fingerprint) {}
 
-    /// Where for_each_part() visits the pins: behind positions, previous positions, velocities and normals.
+    /// Offset of the pins: for_each_part() visits positions, previous positions, velocities, normals before.
     [[nodiscard]] std::size_t bytes_before_pins() const { return 4 * sizeof(Vec4) * particles; }
 };
 static_assert(std::has_unique_object_representations_v<ClothHead>);
 
-/// Visits spans: how many bytes they take.
+/// A visitor that counts the bytes of spans.
 class SaveSize {
   public:
     template <class T, std::size_t extent>
@@ -98,7 +98,7 @@ class SaveSize {
     mutable std::size_t bytes_ = 0;
 };
 
-/// Visits spans: copies them to where the last one ended.
+/// A visitor that writes spans one behind the other.
 class SaveWriter {
   public:
     explicit SaveWriter(std::byte* to) : to_(to) {}
@@ -117,7 +117,7 @@ class SaveWriter {
     mutable std::byte* to_;
 };
 
-/// Visits spans: fills them from where the last one ended. Precondition: as many bytes are left.
+/// A visitor that fills spans one behind the other. Precondition: as many bytes are left.
 class SaveReader {
   public:
     explicit SaveReader(std::span<const std::byte> from)
@@ -129,7 +129,7 @@ class SaveReader {
         from_ += part.size_bytes();
     }
     [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - from_); }
-    /// The same, from so many bytes farther on.
+    /// A reader that begins so many bytes farther on.
     [[nodiscard]] SaveReader after(std::size_t bytes) const { return SaveReader({from_ + bytes, end_}); }
     void skip(std::size_t bytes) const { from_ += bytes; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// How a drawn vertex hangs on a triangle of cloth.
+// The bond of a drawn vertex to a triangle of cloth.
 
 #include <array>
 #include <cstdint>
@@ -9,14 +9,13 @@
 
 namespace weft {
 
-/// One cache line.
+/// A drawn vertex's place on the cloth. A bond fills one cache line.
 struct alignas(64) DrawnBond {
     std::array<std::uint32_t, 3> particles{};
-    float second = 0, third = 0;    // barycentric coordinates of the last two
-    std::array<float, 3> offset{};  // from the rounded surface, in the triangle's frame [m]
-    std::array<float, 3> normal{};  // in that frame, of unit length
-    std::array<float, 2>
-        tangent{};  // along the triangle's sides from its first corner, with which it is stretched
+    float second = 0, third = 0;     // barycentric coordinates of the last two particles
+    std::array<float, 3> offset{};   // from the rounded surface, in the triangle's frame [m]
+    std::array<float, 3> normal{};   // in that frame, of unit length
+    std::array<float, 2> tangent{};  // multiples of the triangle's sides from its first corner
     float handedness = 1;
     float unused = 0;
 };

@@ -68,8 +68,8 @@ Result<void> check_surface(const DrawnSurface& surface, const DrawnMeshSettings&
     return {};
 }
 
-/// Of each drawn vertex: its normal, and the directions in which both texture coordinates grow; none is of
-/// unit length.
+/// Each drawn vertex's normal, and the directions in which both texture coordinates grow. None has unit
+/// length.
 struct VertexAxes {
     std::vector<Vector3> normals, along_u, along_v;
 };
@@ -102,7 +102,7 @@ std::array<float, 3> in_frame(const Matrix3& frame, const Vector3& v) {
     return {local.x(), local.y(), local.z()};
 }
 
-/// What times the two sides comes nearest to `v`.
+/// The multiples of the two sides whose sum is nearest to `v`.
 std::array<float, 2> in_sides(const SurfacePoint& at, const Vector3& v) {
     const Vector3 &s = at.first_side, &t = at.second_side;
     const float ss = s.dot(s), st = s.dot(t), tt = t.dot(t), vs = v.dot(s), vt = v.dot(t);
@@ -111,13 +111,13 @@ std::array<float, 2> in_sides(const SurfacePoint& at, const Vector3& v) {
     return {(vs * tt - vt * st) / det, (vt * ss - vs * st) / det};
 }
 
-/// `way`, made level with the normal and of unit length.
+/// The part of `way` in the normal's plane, at unit length; that of `otherwise` where it has none.
 Vector3 tangent_to(const Vector3& normal, const Vector3& way, const Vector3& otherwise) {
     return unit_or(way - way.dot(normal) * normal,
                    unit_or(otherwise - otherwise.dot(normal) * normal, normal.unitOrthogonal()));
 }
 
-/// The first `most_named` of the vertices, by number.
+/// The numbers of the first `most_named` vertices.
 std::string list_of(const std::vector<std::size_t>& vertices) {
     constexpr std::size_t most_named = 16;
     std::string text;
@@ -126,7 +126,7 @@ std::string list_of(const std::vector<std::size_t>& vertices) {
     return vertices.size() > most_named ? text + ", ..." : text;
 }
 
-/// Precondition: there are some.
+/// Precondition: `vertices` is not empty.
 Error out_of_reach(const std::vector<std::size_t>& vertices, std::size_t all, float reach) {
     const std::string end = " further from the cloth than DrawnMeshSettings::reach, " +
                             number_text(static_cast<double>(reach)) + " m";

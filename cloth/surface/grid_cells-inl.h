@@ -16,24 +16,24 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// 0 for equal a and b: each product is rounded.
+/// The cross product; exactly 0 for equal a and b, since each product is rounded.
 HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
     return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
             hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
 }
 
-/// What a vector has at the corners of cells.
+/// A vector's values at the corners of cells.
 struct Corners {
     Lanes3 first, near_right, far_left, far_right;
 };
-/// What cells have for their corners.
+/// Shares of a value that cells give to their corners.
 struct Shares {
     Lanes first, near_right, far_left, far_right;
 };
 
-/// The two triangles of the cells whose first corners are the lanes from particle i on: one at the first
-/// corner and the far left, one at the far right and the near right; the cut says which third corner each
-/// has.
+/// The two triangles of the cells whose first corners are the lanes from particle i on. The left one has the
+/// first and the far left corner, the right one the far right and the near right. The cut decides which third
+/// corner each has.
 class CellLanes {
   public:
     HWY_INLINE CellLanes(const GridCells& cells, std::uint32_t i)
@@ -58,7 +58,7 @@ class CellLanes {
                 keep_where(is_cell, cross(x.near_right - x.far_right, third_of_right(x) - x.far_right))};
     }
 
-    /// What a triangle has goes to each of its corners.
+    /// The shares of corners, each the sum of its triangles' values.
     HWY_INLINE Shares shares(Lanes left, Lanes right) const {
         const Lanes both = hn::Add(left, right);
         return {hn::IfThenElse(rises(), both, left), hn::IfThenElse(rises(), right, both),
@@ -73,9 +73,9 @@ class CellLanes {
 
 /// Moves lanes by one, part after part.
 struct LaneBefore {
-    Lanes last;  ///< of the part before, in the first lane
+    Lanes last;  ///< of the previous part, moved to the first lane
 
-    /// Of each lane the one before; of the first, the part before's last.
+    /// Returns in each lane the value of the lane before; in the first, the previous part's last.
     HWY_INLINE Lanes operator()(Lanes values) {
         const Tag d;
         const Lanes turned = hn::TableLookupLanes(values, hn::SetTableIndices(d, indices.data()));
@@ -92,9 +92,9 @@ struct LaneBefore {
     }();
 };
 
-/// A loop over a tile of a grid's cells, by their first corners, from a halo on. At each part of a group it
-/// reads ahead, has some vectors at the corners, and sums up what cells have for particles; then it goes on.
-/// To be inlined, as GridLoop.
+/// A loop over the cells of a tile and of its halo, by their first corners. At each part of a group a kernel
+/// calls read_ahead(), corners() for some vectors, sums() and go_on(). The loop must be inlined into the
+/// kernel, as GridLoop must.
 template <std::uint32_t vectors, std::uint32_t shared>
 class CellLoop {
     static_assert(shared <= GridCells::most_shared);
@@ -107,7 +107,7 @@ class CellLoop {
           mask_(GridWindows::ring_of(columns_) - 1),
           next_(mask_ + 1 + group_lanes) {
         for (std::uint32_t k = 0; k < shared; ++k) near_right_[k].last = far_right_[k].last = hn::Zero(Tag());
-        if (first() == 0) std::fill(far_, far_ + shared * next_, 0.0f);  // of rows that are not there
+        if (first() == 0) std::fill(far_, far_ + shared * next_, 0.0f);  // no cells come before the first row
     }
     CellLoop(const CellLoop&) = delete;
 
@@ -123,8 +123,8 @@ class CellLoop {
                 ahead_.after(columns_, vector, 1)};
     }
 
-    /// Of each value what the cells around the particles of these lanes have for them, the cells of these
-    /// lanes having `shares`.
+    /// Sums each value over the cells around the particles of these lanes. `shares` are those of the cells
+    /// whose first corners are these lanes.
     HWY_INLINE std::array<Lanes, shared> sums(const std::array<Shares, shared>& shares) {
         const Tag d;
         const std::uint32_t place = ahead_.row() & mask_, place_before = (ahead_.row() - columns_) & mask_;

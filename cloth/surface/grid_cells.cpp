@@ -14,8 +14,8 @@ Triangle from_least(const Triangle& t) {
     return {t[least], t[(least + 1) % 3], t[(least + 2) % 3]};
 }
 
-/// Of each cell, by its first corner, which of the four triangles that it may have it has: as bits, of one
-/// cut 1 and 2, of the other 4 and 8. None for a triangle that is no cell's.
+/// For each cell, by its first corner, a bit for each triangle that it has: 1 and 2 of one cut, 4 and 8 of
+/// the other. Empty if a triangle is no cell's.
 std::vector<std::uint8_t> triangles_of_cells(const ClothModel& model) {
     const std::uint32_t columns = model.columns;
     std::vector<std::uint8_t> found(model.particle_count);

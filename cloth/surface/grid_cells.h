@@ -21,20 +21,20 @@ struct GridCells {
     explicit GridCells(const ClothModel& model);
 
     static constexpr std::uint32_t least_columns = Stencil::lanes;
-    static constexpr std::uint32_t most_shared = 4;  ///< floats that a cell has for each corner
+    static constexpr std::uint32_t most_shared = 4;  ///< floats that a cell shares with each corner, at most
 
     [[nodiscard]] bool empty() const noexcept { return columns == 0; }
     [[nodiscard]] std::size_t bytes() const noexcept { return cuts.bytes() + window_values.bytes(); }
 
     std::uint32_t columns = 0;
-    /// From a cell's first corner, which is near and left, to the last, which is far and right.
+    /// A single diagonal: from a cell's first corner, near left, to its last, far right.
     Diagonals diagonals;
-    /// How the cell is cut whose first corner a particle is: 1 from there to the far right, -1 from the near
-    /// right to the far left. 0: the particle is no cell's first corner.
+    /// The cut of each cell, by its first corner: 1 from there to the far right, -1 from the near right to
+    /// the far left. 0: the particle is no cell's first corner.
     SharedBuffer<std::int8_t> cuts;
     AlignedBuffer<float> window_values;
 
-    /// For loops by cells, until the next call.
+    /// Windows for one loop by cells. The next call reuses their memory.
     [[nodiscard]] GridWindows& windows() {
         Scratch scratch(reinterpret_cast<std::byte*>(window_values.data()));
         windows_.lay_out(scratch);

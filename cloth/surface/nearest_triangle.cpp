@@ -65,7 +65,7 @@ void NearestTriangle::build(std::vector<std::uint32_t> order) {
     order_ = std::move(order);
 }
 
-// Children come after their parents.
+// Children come after their parents in the list, so boxes are fitted from its end.
 void NearestTriangle::fit() {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         Node& node = nodes_[n];
@@ -122,7 +122,7 @@ std::optional<NearestTriangle::Found> NearestTriangle::search(const Vector3& poi
         add(node.first);
         add(node.first + 1);
         if (count == before + 2 && open[before].second < open[before + 1].second)
-            std::swap(open[before], open[before + 1]);  // the nearer one is looked at first
+            std::swap(open[before], open[before + 1]);  // the nearer one is visited first
     }
     return best;
 }

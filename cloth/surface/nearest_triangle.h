@@ -10,8 +10,8 @@
 
 namespace weft {
 
-/// A hierarchy of boxes around triangles, halved by number: it is built in n log^2 n, and a search opens only
-/// boxes that may hold something better.
+/// A hierarchy of bounding boxes of triangles, halved at medians. It is built in n log^2 n, and a search
+/// opens only boxes that may hold a nearer triangle.
 class NearestTriangle {
   public:
     /// The view must outlive this.
@@ -22,15 +22,15 @@ class NearestTriangle {
         float second = 0, third = 0;  ///< barycentric coordinates of its last two corners
         float distance = 0;           ///< [m]
     };
-    /// The nearest triangle that faces as `normal` does, or the nearest of all where none of these is within
-    /// reach; the lowest number among equally near ones. None: nothing is within reach [m].
+    /// The nearest triangle that faces as `normal` does, or the nearest of all if none of these is within
+    /// reach [m]; the lowest number among equally near ones. None: no triangle is within reach.
     [[nodiscard]] std::optional<Found> to(const Vector3& point, const Vector3& normal, float reach) const;
 
   private:
     /// Children of an inner node are `first` and `first + 1`; a leaf has order_[first, first + count).
     struct Node {
         Eigen::AlignedBox3f box;      // of positions [m], widened by rounding
-        Eigen::AlignedBox3f normals;  // of unit normals: a search for triangles that face a way skips others
+        Eigen::AlignedBox3f normals;  // of unit normals: a search for facing triangles skips others
         std::uint32_t first, count;   // 0: an inner node
     };
     void build(std::vector<std::uint32_t> order);

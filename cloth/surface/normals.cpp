@@ -24,7 +24,7 @@ void area_normals_of(const TriangleGroups& groups, const BlockRange& range, cons
     }
 }
 
-/// Of the sums of area normals.
+/// Unit normals from sums of area normals; +Y where these are 0.
 HWY_INLINE Lanes3 unit_normals(const Lanes3& sum) {
     const Lanes one = hn::Set(Tag(), 1.0f), squared = dot(sum, sum);
     const auto has_direction = hn::Gt(squared, hn::Set(Tag(), 1e-36f));
@@ -59,7 +59,7 @@ void normals_of_grid(const GridCells& cells, const BlockRange& tile, const GridW
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // compiled once, not for each instruction set
 namespace weft {
 
 HWY_EXPORT(area_normals_of);
@@ -75,7 +75,7 @@ void compute_area_normals(Parallel& parallel, const TriangleGroups& groups, std:
 
 namespace {
 
-/// What lies behind the last particle stays 0.
+/// Clears the padding of the last group, behind the last particle.
 void clear_behind(std::uint32_t end, std::span<Vec4> rows) {
     for (std::uint32_t i = end; i % Stencil::lanes != 0; ++i) rows.data()[i] = {};
 }

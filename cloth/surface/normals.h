@@ -10,11 +10,11 @@
 
 namespace weft {
 
-/// Of each triangle, by its row, the normal times twice its area [m^2]; w 0.
+/// Computes each triangle's normal times twice its area [m^2], by its row; w 0.
 void compute_area_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> positions,
                           std::span<Vec4> area_normals);
 
-/// Of particles; see Surface.
+/// Computes the normals of particles; see Surface.
 void compute_normals(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
                      std::span<Vec4> normals);
 void compute_normals(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> area_normals,

@@ -1,4 +1,4 @@
-// What kernels read by TriangleGroups. Included like cloth/equation/sparse/stencil-inl.h.
+// Loads and sums by TriangleGroups. Included like cloth/equation/sparse/stencil-inl.h.
 
 #if defined(WEFT_CLOTH_SURFACE_TRIANGLE_GROUPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_SURFACE_TRIANGLE_GROUPS_INL_H
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Of the triangles from row t on, what their corners k have.
+/// The particles' rows at corner k of the triangles from row t on.
 HWY_INLINE PackedRows corner_rows(const TriangleGroups& groups, std::uint32_t t, std::uint32_t k,
                                   const Vec4* particle_rows) {
     const std::uint32_t group = t / TriangleGroups::lanes, lane = t % TriangleGroups::lanes;
@@ -22,7 +22,7 @@ HWY_INLINE PackedRows corner_rows(const TriangleGroups& groups, std::uint32_t t,
     return gather_packed(particle_rows, &groups.corner_lists[source - TriangleGroups::listed + lane]);
 }
 
-/// The sum over their triangles, for the particles from i on.
+/// The sums of triangles' rows over the triangles of the particles from i on.
 HWY_INLINE PackedRows sum_over_triangles(const TriangleGroups& groups, std::uint32_t i,
                                          const Vec4* triangle_rows) {
     const std::uint32_t group = i / TriangleGroups::lanes, lane = i % TriangleGroups::lanes;

@@ -20,20 +20,20 @@ SharedBuffer<T> buffer_of(const std::vector<T>& values) {
     return SharedBuffer<T>(values);
 }
 
-/// The same triangle, beginning with this corner of its.
+/// The same triangle, rotated to begin with this corner.
 Triangle beginning_with(std::uint32_t corner, const Triangle& t) {
     if (t[0] == corner) return t;
     return t[1] == corner ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
 }
 
-/// Whose each triangle is.
+/// The particle that owns each triangle.
 class Owners {
   public:
     explicit Owners(const ClothModel& model)
         : model_(model), is_owned_(model.triangles.size()), owned_(model.particle_count) {
         for (std::uint32_t i = 0; i < model.particle_count; ++i) share_out(i);
     }
-    /// Triangle k of a particle, which is its first corner; or three times that particle.
+    /// Triangle k of a particle, which is its first corner; or, if there is none, that particle three times.
     [[nodiscard]] Triangle owned(std::uint32_t particle, std::uint32_t k) const {
         const std::uint32_t t = owned_[particle][k];
         return t == no_triangle ? Triangle{particle, particle, particle}
@@ -47,7 +47,8 @@ class Owners {
     }
 
   private:
-    /// A particle takes what the fewest later ones could take: that leaves hardly anything over.
+    /// Particle i takes the triangles whose last corner comes first. The fewest later particles could own
+    /// these, so hardly any triangle is left over.
     void share_out(std::uint32_t i) {
         for (std::uint32_t& owned : owned_[i]) {
             auto best = std::pair(no_triangle, no_triangle);
@@ -96,7 +97,7 @@ std::vector<std::vector<std::uint32_t>> lists_of_rows(std::span<const Triangle> 
     return lists;
 }
 
-/// The rows at which runs begin that all of a group's particles have; takes them out of their lists.
+/// Removes the runs of rows that all of a group's particles have from their lists. Returns the first rows.
 std::vector<std::uint32_t> take_runs(std::span<std::vector<std::uint32_t>> lists) {
     std::vector<std::uint32_t> runs;
     if (lists.size() < lanes) return runs;
@@ -115,7 +116,7 @@ std::uint32_t offset_of(std::uint32_t row) {
     return row * static_cast<std::uint32_t>(sizeof(Vec4));
 }
 
-/// Whether they are what offset_of() says of rows below `end`.
+/// Whether these are offsets, as offset_of() returns them, of rows below `end`.
 bool are_row_offsets(std::span<const std::uint32_t> offsets, std::uint32_t end) {
     std::uint32_t bits = 0;
     for (const std::uint32_t offset : offsets) bits |= offset;

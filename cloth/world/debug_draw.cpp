@@ -84,7 +84,7 @@ void draw_leashes(const Pen& pen, const Cloth& cloth) {
     }
 }
 
-/// The particle that a node of a coarse level is.
+/// The particle at which a node of a coarse level lies.
 std::uint32_t particle_of_node(const Multigrid& levels, std::size_t level, std::uint32_t node) {
     for (std::size_t k = level + 1; k-- > 0;) node = levels.level(k).interpolation().kept[node];
     return node;
@@ -126,7 +126,7 @@ void draw_box(const Pen& pen, ClothId id, const Cloth& cloth) {
     pen.text(to_vector(cloth.extent.upper), words.data(), colour);
 }
 
-// A newton second is a line of a metre times the root of it: those that hardly touch are seen, too.
+// The line's length [m] is the root of the impulse [N s], so that weak contacts are visible, too.
 void draw_contact(const Pen& pen, const Contact& contact) {
     const float strength = std::sqrt(to_vector(contact.impulse).norm());
     const Vector3 at = to_vector(contact.point);

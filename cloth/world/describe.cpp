@@ -1,4 +1,4 @@
-// All that a World holds, in words.
+// World::describe(): all that a World holds, as text or JSON.
 
 #include "cloth/record/world_calls.h"
 #include "cloth/world/outline.h"

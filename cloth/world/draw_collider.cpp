@@ -10,7 +10,7 @@ namespace weft {
 
 namespace {
 
-/// Two directions across a third, all of unit length.
+/// Two unit vectors, perpendicular to a third and to each other.
 std::array<Vector3, 2> across(const Vector3& axis) {
     const Vector3 u = axis.unitOrthogonal();
     return {u, axis.cross(u)};
@@ -21,13 +21,13 @@ void draw_ball(const Pen& pen, const Vector3& centre, float radius, const Vec3& 
     for (int k = 0; k < 3; ++k) pen.circle(centre, axes.col(k), axes.col((k + 1) % 3), colour);
 }
 
-// Lines touch both balls: where the cone does.
+// The lines touch both balls where their common tangent cone does.
 void draw_capsule(const Pen& pen, const Vector3& a, const Vector3& b, float radius_a, float radius_b,
                   const Vec3& colour) {
     draw_ball(pen, a, radius_a, colour);
     draw_ball(pen, b, radius_b, colour);
     const float length = (b - a).norm(), slope = length > 0 ? (radius_a - radius_b) / length : 2.0f;
-    if (std::abs(slope) >= 1) return;  // one ball holds the other
+    if (std::abs(slope) >= 1) return;  // one ball contains the other
     const Vector3 axis = (b - a) / length;
     const auto [u, v] = across(axis);
     const float level = std::sqrt(1 - slope * slope);

@@ -1,4 +1,4 @@
-// What the host's log is told.
+// Lines for the host's log.
 
 #include <array>
 #include <utility>

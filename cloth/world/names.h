@@ -1,5 +1,5 @@
 #pragma once
-// What hosts call the values of the interface.
+// Names of the interface's values, as hosts write them.
 
 #include <cstddef>
 #include <iterator>
@@ -45,7 +45,7 @@ constexpr const char* name_of(ColliderResponse value) {
     return detail::name_among(names, value);
 }
 
-/// use(name) for each that is raised.
+/// Calls use(name) for each flag that is raised.
 template <class Use>
 void for_each_flag(StepFlags flags, const Use& use) {
     constexpr const char* names[] = {"invalid_dt", "state_restored", "contacts_dropped", "speed_limited",

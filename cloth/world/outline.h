@@ -28,7 +28,7 @@ class Outline {
         return std::move(text_);
     }
 
-    /// Calls `write` for what is within.
+    /// Calls `write` for the content.
     template <class Write>
     void object(std::string_view name, const Write& write) {
         within(name, '{', '}', write);
@@ -60,7 +60,7 @@ class Outline {
     template <class Enum>
     requires std::is_enum_v<Enum>
     void value(std::string_view name, Enum value) { line(name, quoted(name_of(value))); }
-    /// Those that there are.
+    /// Writes the sources that are set.
     template <std::size_t count>
     void value(std::string_view name, const std::array<AirSource, count>& sources) {
         list(name, [&] {
@@ -83,14 +83,14 @@ class Outline {
                 one);
         });
     }
-    /// Those of `of`, here.
+    /// Writes the fields of `of`, without an object around them.
     template <class T>
     void fields(const T& of) {
         for_each_field(of, [&](const char* field, const auto& each) { value(field, each); });
     }
 
   private:
-    /// The shortest that reads back as the same float; JSON has no infinity.
+    /// The shortest text that reads back as the same float; JSON has no infinity.
     [[nodiscard]] std::string text_of(float number) const {
         if (is_json_ && !std::isfinite(number)) return "null";
         char digits[32];

@@ -1,5 +1,5 @@
 #pragma once
-// Lines on a host's canvas.
+// Draws lines and text on a host's canvas.
 
 #include <array>
 
@@ -21,19 +21,19 @@ class Pen {
     void text(const Vector3& at, const char* words, const Vec3& colour) const {
         if (canvas_.text != nullptr) canvas_.text(canvas_.user, to_vec3(at), words, colour);
     }
-    /// Three lines that cross, each so long.
+    /// Three lines of this length along the axes, which cross at `at`.
     void cross(const Vector3& at, float length, const Vec3& colour) const;
-    /// The edges of a box about the origin of a space.
+    /// The edges of a box, centred at `origin` and aligned with `axes`.
     void box(const Vector3& origin, const Matrix3& axes, const Vector3& half, const Vec3& colour) const;
     void box(const Bounds& bounds, const Vec3& colour) const;
-    /// About `centre`, in the plane of u and v, which have its radius.
+    /// A circle about `centre` in the plane of u and v, whose length is its radius.
     void circle(const Vector3& centre, const Vector3& u, const Vector3& v, const Vec3& colour) const;
 
   private:
     const DebugCanvas& canvas_;
 };
 
-/// `held`: of a PlacedShape. A plane is drawn around `about`.
+/// `held`: the shape of a PlacedShape. A plane is drawn around `about`.
 void draw_collider(const Pen& pen, const Collider& collider, const HeldShape* held, const Vector3& about,
                    const Vec3& colour);
 

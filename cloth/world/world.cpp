@@ -1,4 +1,4 @@
-// The public World: checks what comes in, looks ids up, and hands over to the simulation.
+// The public World: checks arguments, looks ids up, and calls the simulation.
 
 #include "weft/world.h"
 
@@ -67,8 +67,8 @@ Result<void> with_particles(Simulation& simulation, ClothId id, std::span<const 
     });
 }
 
-/// Calls `apply`, which switches the cloth on or off. Where it comes on it goes to what holds it, which has
-/// moved meanwhile. Error: it cannot; then nothing has changed.
+/// Calls `apply`, which switches the cloth on or off. Cloth that is switched on is teleported to its pins,
+/// bodies and skin, which may have moved meanwhile. Error: it cannot be; then nothing has changed.
 template <class Apply>
 Result<void> enable(Simulation& simulation, Cloth& cloth, bool on, const Apply& apply) {
     std::optional<RigidMotion> motion;

@@ -16,7 +16,7 @@ BodyPose pose_of(const BodyState& state) {
 
 namespace {
 
-// Written so that what is not a number fails.
+// The comparison is written so that not-a-number fails.
 
 Result<void> validate_within(const char* name, float value, float least, float most,
                              const char* requirement) {

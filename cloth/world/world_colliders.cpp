@@ -10,7 +10,7 @@ namespace weft {
 
 namespace {
 
-/// An instance is one of a shape that is there.
+/// Error: the collider is an instance of a shape that does not exist.
 Result<void> validate_instance(const Simulation& simulation, const Collider& collider) {
     const auto* const placed = std::get_if<PlacedShape>(&collider.shape);
     if (placed != nullptr && simulation.held_by(collider) == nullptr)

@@ -7,7 +7,7 @@ namespace weft {
 
 namespace {
 
-/// By which nothing moves, not even the sign of a 0.
+/// Whether `place` changes nothing, not even the sign of a 0.
 bool is_nothing(const Transform& place) {
     const Rotation& r = place.rotation;
     return to_vector(place.translation) == Vector3::Zero() && r.x == 0 && r.y == 0 && r.z == 0 && r.w == 1;

@@ -13,7 +13,7 @@ namespace weft {
 
 namespace {
 
-/// Of each particle the cloth's that it comes from.
+/// For each particle of `next`, the cloth's particle that it comes from.
 Result<std::vector<std::uint32_t>> sources_of(const Cloth& cloth, const ClothModel& next,
                                               std::span<const std::uint32_t> from) {
     const std::span<const std::uint32_t> particles = next.vertex_to_particle.span();
@@ -42,7 +42,7 @@ Result<std::vector<std::uint32_t>> sources_of(const Cloth& cloth, const ClothMod
     return sources;
 }
 
-/// The mesh's edges that are strained, by particles, each once.
+/// Edges with more than this strain, by particles, each once.
 std::vector<StrainedEdge> edges_beyond(const Cloth& cloth, float strain) {
     std::vector<StrainedEdge> edges;
     const ClothModel& model = cloth.model;
@@ -58,7 +58,7 @@ std::vector<StrainedEdge> edges_beyond(const Cloth& cloth, float strain) {
     return edges;
 }
 
-/// From particles to the mesh's own vertices.
+/// Replaces particles by the first of the mesh's vertices that they are.
 void name_by_vertices(const Cloth& cloth, std::span<StrainedEdge> edges) {
     const std::span<const std::uint32_t> particles = cloth.model.vertex_to_particle.span();
     std::vector<std::uint32_t> first(cloth.model.particle_count);

@@ -1,4 +1,4 @@
-// The World's calls that take steps, whole or in three, and those that show what a step came to.
+// The World's calls that take steps, whole or in three, and that return their results.
 
 #include <algorithm>
 #include <vector>
@@ -100,7 +100,7 @@ Result<void> World::work() {
 
 Result<void> World::end_step() {
     return without_exceptions([&]() -> Result<void> {
-        // The first of several threads that get here ends it.
+        // If several threads get here, the first one ends the step.
         StepPhase before = StepPhase::begun;
         if (impl_->phase.compare_exchange_strong(before, StepPhase::working))
             impl_->take_step();

@@ -1,4 +1,4 @@
-// The World's calls by which a host sees its cloths.
+// The World's calls that return cloths' vertices, and the air's velocity.
 
 #include <algorithm>
 #include <array>

@@ -59,7 +59,7 @@ VertexMap description_of(Map map, std::span<const float> values) {
     return {};
 }
 
-/// A backstop that begins in front of the skin leaves some of the leash free.
+/// Error: a backstop begins farther in front of the skin than the leash is long.
 Result<void> validate_limits(const Cloth& cloth, std::span<const float> leash,
                              std::span<const float> backstop) {
     if (leash.empty() || backstop.empty()) return {};
@@ -81,7 +81,7 @@ Result<void> set_pins(Cloth& cloth, std::span<const float> values) {
     return {};
 }
 
-/// Of a step's skin, what one vertex is given.
+/// Checks a step's skin, vertex by vertex.
 Result<void> validate_skin(const Cloth& cloth, std::span<const Vec3> places, std::span<const Vec3> normals) {
     const std::size_t vertices = cloth.model.vertex_to_particle.size();
     const bool has_backstop = cloth.worn.backstop.size() > 0;
@@ -114,7 +114,7 @@ void take_skin(SkinState& skin, std::span<const std::uint32_t> particles, std::s
     if (std::exchange(skin.known, 1u) == 0) skin.stand_still();
 }
 
-/// By the first skin of a cloth that is stepped: where it is worn, the cloth is at once.
+/// Sets the first skin of a cloth that is stepped, and teleports the cloth to where it is worn.
 Result<void> take_first_skin(Simulation& simulation, Cloth& cloth, std::span<const Vec3> places,
                              std::span<const Vec3> normals) {
     SkinState skin = cloth.state.skin;

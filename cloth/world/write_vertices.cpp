@@ -11,7 +11,7 @@ namespace weft {
 
 namespace {
 
-/// Kinds, with how many floats each has.
+/// Visits the streams with their names and their numbers of floats a vertex.
 template <class Visit>
 void for_each_stream(const VertexStreams& to, const Visit& visit) {
     visit("positions", to.positions, 3u);
@@ -43,7 +43,7 @@ std::span<const std::uint32_t> triangles_at(const ClothModel& model, std::uint32
     return model.corner_triangles.span().subspan(begin, model.corner_offsets[particle + 1] - begin);
 }
 
-/// As the view's normals are made, of other positions.
+/// The normal at a particle, as the view's normals are computed, but from these positions.
 Vector3 normal_at(const ClothModel& model, std::span<const Vec4> positions, std::uint32_t particle) noexcept {
     Vector3 sum = Vector3::Zero();
     for (const std::uint32_t t : triangles_at(model, particle)) {
@@ -57,13 +57,13 @@ Vector3 normal_at(const ClothModel& model, std::span<const Vec4> positions, std:
 
 using Vector3d = Eigen::Vector3d;
 
-/// Ways along which the texture coordinates grow round a vertex, by area: those of triangles at a particle
-/// that know it by this vertex. Texture coordinates may be as large and small as floats are.
+/// Directions in which the texture coordinates grow round a vertex, weighted by area, over the particle's
+/// triangles that have this vertex. In double precision, since texture coordinates may have any float's size.
 struct Growth {
     Vector3d along_u = Vector3d::Zero(), along_v = Vector3d::Zero();
 };
 
-/// From the first corner of a triangle to another one.
+/// A side of a triangle from its first corner, in space and in texture coordinates.
 struct Side {
     Vector3d way;
     double u, v;

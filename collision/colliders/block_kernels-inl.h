@@ -23,7 +23,7 @@ struct PathsLanes {
     Lanes3 lower, upper;
     Lanes way_squared;
 
-    /// On x86 what is not a number leaves all as it is; elsewhere it may make it not a number.
+    /// On x86 a NaN leaves the bounds unchanged; elsewhere it may turn them into NaN.
     HWY_INLINE void add(const Lanes3& start, const Lanes3& end) {
         lower = {hn::Min(end.x, lower.x), hn::Min(end.y, lower.y), hn::Min(end.z, lower.z)};
         upper = {hn::Max(end.x, upper.x), hn::Max(end.y, upper.y), hn::Max(end.z, upper.z)};
@@ -46,18 +46,18 @@ HWY_INLINE PathsLanes no_paths() {
         {infinity, infinity, infinity}, {hn::Neg(infinity), hn::Neg(infinity), hn::Neg(infinity)}, set(0)};
 }
 
-/// See ClothSide, from one particle on.
+/// ClothSide's values, from one particle on.
 struct OwnValues {
     const float *thickness, *friction;
 };
 
-/// Shapes are made with the greatest thickness of the cloth: by so much these particles have less [m].
+/// The cloth's greatest thickness, which shapes are made with, less the particles' own [m].
 HWY_INLINE Lanes missing_thickness(const ClothSide& cloth, const float* thickness) {
     return hn::Sub(set(cloth.most_thickness), load_lanes(thickness));
 }
 
-/// How deep particles that end in a shape were in it when the substep began, where that counts as found.
-/// `beyond`: what the shape's thickness is more than that of cloth and collider.
+/// Depth at the substep's start of particles that end inside a shape; 0 where it is too small to count.
+/// `beyond`: the shape's thickness less that of cloth and collider.
 template <class Shape, class Mask>
 HWY_INLINE Lanes found_depth(const Shape& shape, Mask is_free, const SurfaceLanes<Mask>& at_end, Lanes beyond,
                              const FoundDepth& counts, const Vec4* starts) {
@@ -70,7 +70,7 @@ HWY_INLINE Lanes found_depth(const Shape& shape, Mask is_free, const SurfaceLane
     return hn::IfThenElseZero(hn::And(at_start.is_near, hn::Gt(depth, least)), depth);
 }
 
-/// `depth` in lanes from i on, 0 where they are in none.
+/// Records that particles from i on are left inside at `depth`, 0 for none; the deepest surface counts.
 template <class Mask>
 HWY_INLINE void keep_left(Lanes depth, const SurfaceLanes<Mask>& surface, std::uint32_t i,
                           CollidingBlock& block) {
@@ -93,15 +93,14 @@ HWY_INLINE void mark(Mask meets, std::uint32_t* met) {
     hn::Store(hn::Or(hn::Load(du, met), one), du, met);
 }
 
-/// Of a substep; null where they are not looked at. Ways are followed only if they are `swept`.
+/// Positions at a substep's start; null: not needed. Paths are swept only if `swept`.
 struct Starts {
     const Vec4* rows;
     bool swept;
 };
 
-/// Takes from the velocity what approaches the surface, and of what slides along it as much as Coulomb's law
-/// allows for that normal impulse. The step's motion loses its share of the sliding too: hence no creep at
-/// rest.
+/// Removes the velocity's approach to the surface, and as much of its sliding as Coulomb's law allows for
+/// that normal impulse. The step's displacement loses the same sliding, so that nothing creeps at rest.
 template <class Shape>
 HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings, const Lanes3& held,
                              const Starts& starts, Vec4* positions, Vec4* velocities, std::uint32_t i,
@@ -164,7 +163,7 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
                      {has_starts ? &block.starts[i] : nullptr, swept}, &block.positions[i],
                      &block.velocities[i], i, block, paths,
                      {&block.cloth.thickness[i], &block.cloth.friction[i]});
-    if (i < size) {  // a host's array need not go on to the end of its group; what is added has w = 0
+    if (i < size) {  // a host's array need not fill its last group; padding has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
              held[part_lanes] = {};
         std::copy(block.positions.begin() + i, block.positions.end(), positions);

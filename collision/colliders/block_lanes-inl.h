@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Of the particles of a block from `i` on.
+/// Loads and stores a block's particles from `i` on.
 HWY_INLINE Lanes4 load_lanes(const BlockLanes& lanes, std::uint32_t i) {
     return {load_lanes(&lanes.x[i]), load_lanes(&lanes.y[i]), load_lanes(&lanes.z[i]),
             load_lanes(&lanes.w[i])};

@@ -1,12 +1,12 @@
 #pragma once
-// Colliders that something else carries: their shapes in its frame and in the World.
+// Colliders attached to a moving frame: their shapes in that frame and in the World.
 
 #include "engine/vector.h"
 #include "weft/collider.h"
 
 namespace weft {
 
-/// Where something is: what is at p in its own frame is at position + rotation p in the World.
+/// A rigid pose: point p of the local frame is at position + rotation p in the World.
 struct BodyPose {
     Vector3 position = Vector3::Zero();                            ///< [m]
     Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();  ///< of unit length
@@ -15,12 +15,12 @@ struct BodyPose {
     [[nodiscard]] BodyPose inverse() const;
 };
 
-/// A collider, given in the frame of what is there, in the World.
+/// The World's collider for one that is given in the pose's local frame.
 [[nodiscard]] Collider carried(const Collider& own, const BodyPose& pose);
 
 class HeldShape;
 
-/// One that holds the collider, which is no plane. `held`: of a PlacedShape.
+/// A ball that contains the collider, which is no plane. `held`: the shape of a PlacedShape.
 [[nodiscard]] Sphere ball_around(const Collider& collider, const HeldShape* held);
 
 }  // namespace weft

@@ -13,14 +13,14 @@ namespace weft {
 
 namespace {
 
-/// Bodies give way within a substep, and what deforms may do so by any way: that is the substep's own doing.
+/// Bodies yield within a substep, and deforming meshes move by any distance: the substep causes their depth.
 FoundDepth found_depth(const ColliderMotion& motion) {
     if (motion.body >= 0 || motion.rate != 0) return {};
-    return {.least = 2e-5f};  // beyond rounding
+    return {.least = 2e-5f};  // above rounding
 }
 
-/// Calls use(a moving shape, how it may be met), unless it is clear of the paths by more than the thickness
-/// and the reach, or not for this cloth.
+/// Calls use(moving shape, Meeting) unless the shape is farther from the paths than thickness plus reach, or
+/// the cloth's mask excludes it.
 template <class Use>
 void if_near(const ColliderMotion& motion, float h, const ClothSide& cloth, float beyond,
              const BlockPaths& paths, const Use& use) {
@@ -40,7 +40,7 @@ void clear(NearSurfaces& near, float reach) {
     near.has_inside = false;
 }
 
-/// The i-th particle is nearest to this collider, and its surface goes with the body.
+/// Stores this collider, the nearest to the i-th particle: its body, and the body's velocity at the particle.
 void take_body(const ColliderMotion& motion, std::size_t i, NearSurfaces& near,
                std::span<std::int32_t> bodies) {
     bodies[i] = motion.body;
@@ -56,7 +56,7 @@ Vector3 vector_of(const BlockLanes& lanes, std::size_t k) {
     return {lanes.x[k], lanes.y[k], lanes.z[k]};
 }
 
-/// Of what is inside a collider, too: which surface counts.
+/// Decides which surface counts for particles that are also inside a collider.
 void choose_surfaces(std::uint32_t size, float reach, NearSurfaces& near, std::span<std::int32_t> bodies) {
     for (std::uint32_t k = 0; k < size; ++k) {
         if (!(near.inside.w[k] < std::numeric_limits<float>::infinity())) continue;
@@ -73,7 +73,7 @@ void choose_surfaces(std::uint32_t size, float reach, NearSurfaces& near, std::s
     }
 }
 
-/// Among points that have been placed.
+/// Searches around the points that place() has written.
 bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h, float reach,
                      std::span<const Vec4> starts, const BlockPaths& paths, std::uint32_t size, Told told,
                      NearSurfaces& near, std::span<std::int32_t> bodies = {},
@@ -102,7 +102,7 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
     return found;
 }
 
-/// Takes particles out, by a part, of what they were left inside of, where that does not lead them deeper
+/// Moves particles part of the way out of colliders they were left inside of, unless that leads them deeper
 /// into another collider at whose surface they are.
 class Emerging {
   public:
@@ -133,7 +133,7 @@ class Emerging {
 
   private:
     static constexpr float reach = 1e-3f;
-    static constexpr std::uint32_t group = 16;  // to whose end arrays go on
+    static constexpr std::uint32_t group = 16;  // arrays extend to its end
 
     void out_of(std::uint32_t number) {
         std::array<Vec4, block_size> now, then;
@@ -174,7 +174,7 @@ class Emerging {
     float h_;
     CollidingBlock& block_;
     std::array<std::uint32_t, block_size> waiting_, particles_;
-    std::uint32_t size_ = 0;  // of `particles_`
+    std::uint32_t size_ = 0;  // number of `particles_` in use
 };
 
 std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
@@ -207,7 +207,7 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
     return std::accumulate(block.met.begin(), block.met.end(), 0u);
 }
 
-/// Of the particles of a block.
+/// The particles of a block.
 CollidingParticles part_of(const CollidingParticles& all, const BlockRange& range) {
     const std::uint32_t size = range.end - range.begin;
     const auto of_block = [&](auto span) { return span.empty() ? span : span.subspan(range.begin, size); };

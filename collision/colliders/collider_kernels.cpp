@@ -23,7 +23,7 @@ BlockPaths paths(std::span<const Vec4> starts, std::span<const Vec4> positions) 
     return paths.all();
 }
 
-// Each is compiled as a function of its own.
+// Each shape's kernel is compiled as a function of its own.
 
 void collide_capsule(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block) {
     collide_block(RoundLanes(capsule, settings.thickness), settings, block);

@@ -14,29 +14,29 @@
 
 namespace weft {
 
-/// Depth in which a substep finds a particle when it begins, as where a collider has been placed over it. The
-/// equation lets it be, so that it becomes no velocity; collide() takes it out at a limited speed, and leaves
-/// it where another collider holds the particle.
+/// Penetration depth that a substep finds at its start, as after a collider was placed over a particle. The
+/// equation ignores it, so that it becomes no velocity. collide() removes it at a limited speed, except where
+/// another collider holds the particle.
 struct FoundDepth {
     static constexpr float speed = 0.1f;  ///< [m/s]
-    static constexpr float rate = 2;      ///< if that is more, this part of the depth [1/s]
+    static constexpr float rate = 2;      ///< if that is faster, this part of the depth a second [1/s]
 
-    /// What is less goes as depth that the substep brings [m].
+    /// Smaller depths count as caused by the substep [m].
     float least = std::numeric_limits<float>::infinity();
 };
 
 struct ContactSettings {
-    float thickness;                          ///< of collider and cloth together the most [m]
-    float friction;                           ///< of the collider
+    float thickness;                          ///< collider's and cloth's greatest together [m]
+    float friction;                           ///< the collider's coefficient
     float h;                                  ///< [s]
-    float restitution = 0, least_bounce = 0;  ///< of both; what comes slower [m/s] does not bounce
+    float restitution = 0, least_bounce = 0;  ///< of both; slower impacts [m/s] do not bounce
     FoundDepth found{};
-    /// Particles that move farther than `thin` against the shape can pass it: their way is looked at. 0: none
-    /// of the block moves as far.
+    /// Particles that move farther than `thin` relative to the shape can pass it: their paths are swept. 0:
+    /// none of the block moves as far.
     Meeting meeting{};
 };
 
-/// What particles of a block have been left inside of: of several the deepest.
+/// Colliders that a block's particles are left inside of: of several, the one with the greatest depth.
 struct LeftInside {
     BlockLanes surfaces;  ///< outward normal; w depth [m], 0: in none
     std::array<std::uint32_t, block_size> colliders;
@@ -45,36 +45,36 @@ struct LeftInside {
 struct CollidingBlock {
     std::span<Vec4> positions, velocities;
     std::span<const Vec4> held, starts;  ///< see CollidingParticles
-    BlockPaths paths;                    ///< of all that are finite, also after they were moved
-    const ClothSide& cloth;              ///< of these particles
+    BlockPaths paths;                    ///< paths of all finite particles, kept current as they are moved
+    const ClothSide& cloth;              ///< properties of these particles
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
-    std::uint32_t collider = 0;                               ///< the number of the one that is met
-    bool has_left = false;                                    ///< any; else `left` is not written
-    LeftInside* left = nullptr;                               ///< where there are starts
+    std::uint32_t collider = 0;                               ///< index of the collider in work
+    bool has_left = false;       ///< whether any is left inside; else `left` is not written
+    LeftInside* left = nullptr;  ///< used where there are starts
 };
 
-/// Of those that are numbers. No starts: none has moved.
+/// Paths of the particles that are numbers. Without starts none has moved.
 [[nodiscard]] BlockPaths paths_of(std::span<const Vec4> starts, std::span<const Vec4> positions);
 
-/// collide() of collider_contacts.h, for one block and one collider.
+/// collide_particles() of collider_contacts.h, for one block and one collider.
 void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingTaperedCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingBox& box, const ContactSettings& settings, CollidingBlock& block);
 void collide(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block);
 
-/// points = positions + gamma velocities. Returns their paths from `starts`, of those that are numbers. No
-/// starts: none has moved.
+/// points = positions + gamma velocities. Returns their paths from `starts`, without those that are not
+/// numbers. Without starts none has moved.
 [[nodiscard]] BlockPaths place(std::span<const Vec4> starts, std::span<const Vec4> positions, float gamma,
                                std::span<const Vec4> velocities, BlockLanes& points);
 
-/// Which property of cloth and collider together a search writes to w of a surface's motion.
+/// Property, of cloth and collider together, that a search writes to w of a surface's motion.
 enum class Told : std::uint8_t { friction, restitution };
 
-/// Of a block of `size` particles with these starts, if they are swept.
+/// A search for surfaces near a block of `size` particles. `starts` may be empty.
 struct NearestSought {
     ContactSettings settings;
-    const ClothSide& cloth;  ///< of these particles
+    const ClothSide& cloth;  ///< properties of these particles
     float reach;             ///< beyond the thickness [m]
     std::span<const Vec4> starts;
     std::uint32_t size;
@@ -83,7 +83,7 @@ struct NearestSought {
     [[nodiscard]] float all() const { return settings.thickness + reach; }
 };
 
-/// Takes the surface where it is nearer than what the block has, and returns whether it is near any.
+/// Stores the surface for particles to which it is the nearest so far. Returns whether there are any.
 [[nodiscard]] bool find_nearest(const MovingCapsule& capsule, const NearestSought& sought,
                                 NearSurfaces& near);
 [[nodiscard]] bool find_nearest(const MovingTaperedCapsule& capsule, const NearestSought& sought,

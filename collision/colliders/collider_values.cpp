@@ -1,4 +1,4 @@
-// What a collider may be, and what lies between two.
+// Validation of colliders, and interpolation between two.
 
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ namespace {
 constexpr float least_radius = 1e-6f, least_normal = 1e-12f, longest_normal = 1e12f, most_friction = 1e6f,
                 most_thickness = 10;
 
-// Written so that what is not a number fails.
+// Comparisons are written so that a value that is not a number fails.
 
 Result<void> validate_point(const char* name, const Vec3& point) {
     const auto is_near = [](float coordinate) { return std::abs(coordinate) <= farthest; };
@@ -99,7 +99,7 @@ Capsule blend(const Capsule& from, const Capsule& to, float t) {
 Plane blend(const Plane& from, const Plane& to, float t) {
     const UnitPlane start = unit(from), end = unit(to);
     const Vector3 normal = start.normal + t * (end.normal - start.normal);
-    // Half way to the opposite normal there is none: the plane then turns over at once.
+    // Half way to the opposite normal the blend is zero: the plane then flips at once.
     const Vector3 sound = normal.squaredNorm() > 1e-12f ? Vector3(normal.normalized()) : end.normal;
     return {to_vec3(sound), blend(start.offset, end.offset, t)};
 }
@@ -109,7 +109,7 @@ TaperedCapsule blend(const TaperedCapsule& from, const TaperedCapsule& to, float
             blend(from.radius_b, to.radius_b, t)};
 }
 
-/// At an even pace, the shorter way round (Shoemake 1985). What does not turn keeps its bytes.
+/// Slerp, the shorter way round (Shoemake 1985). A rotation that does not change keeps its bytes.
 Rotation blend(const Rotation& from, const Rotation& to, float t) {
     if (from.x == to.x && from.y == to.y && from.z == to.z && from.w == to.w) return to;
     const Eigen::Quaternionf between = unit(from).slerp(t, unit(to)).normalized();

@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// What friction takes from a velocity that slides along a contact: all of it, or as much as `limit`, the
+/// The part that friction removes from a velocity along a contact: all of it, or as much as `limit`, the
 /// friction coefficient times the normal velocity that the contact took away [m/s].
 HWY_INLINE Lanes3 stopped_by_friction(const Lanes3& sliding, Lanes limit) {
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Of some points and their ways: where a shape has them in its own space.
+/// Bounding box, in a shape's local frame, of points and of their paths of length `way`.
 template <class PointAt>
 Eigen::AlignedBox3f box_of(const MovingSpace& space, std::uint32_t size, float way, const PointAt& point_at) {
     LaneBox box;
@@ -28,7 +28,7 @@ Eigen::AlignedBox3f box_of(const MovingSpace& space, std::uint32_t size, float w
     return found.isEmpty() ? found : Eigen::AlignedBox3f(found.min() - margin, found.max() + margin);
 }
 
-/// Calls use(own) with the shape, of which only what is within sight of the block is looked at.
+/// Calls use(own) with the shape, of which only the part within sight of the block is searched.
 template <class PointAt, class Use>
 auto with_near_part(const MovingHeld& held, const Sight& sight, std::uint32_t size, float way,
                     const PointAt& point_at, const Use& use) {
@@ -39,7 +39,7 @@ auto with_near_part(const MovingHeld& held, const Sight& sight, std::uint32_t si
 }
 
 void collide_held(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block) {
-    // What lies at the thickness is not to be looked for from deep inside.
+    // A margin [m], so that a particle at rest at the thickness starts no search from deep inside.
     constexpr float beyond = 4e-3f;
     const float way = settings.meeting.way;
     const auto size = static_cast<std::uint32_t>(block.positions.size());
@@ -55,7 +55,7 @@ void collide_held(const MovingHeld& held, const ContactSettings& settings, Colli
 }
 
 bool nearest_of_held(const MovingHeld& held, const NearestSought& sought, NearSurfaces& near) {
-    // The equation leaves to collide() what is deep inside.
+    // The equation leaves particles that are deep inside to collide().
     const float way = sought.settings.meeting.way;
     const auto point_at = [&](std::uint32_t i) { return xyz(load_lanes(near.points, i)); };
     return with_near_part(

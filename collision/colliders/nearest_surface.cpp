@@ -17,7 +17,7 @@ namespace {
 SurfacePoint round(const Vector3& axis_point, const Vector3& axis, float radius, const Vector3& to) {
     const Vector3 out = to - axis_point;
     const float length = out.norm();
-    // On the axis every way across it leads out.
+    // On the axis every direction across it is outward.
     Vector3 normal = Vector3::UnitY();
     if (length > 1e-6f * radius)
         normal = out / length;
@@ -40,7 +40,7 @@ SurfacePoint nearest(const Capsule& capsule, const Vector3& to) {
 SurfacePoint nearest(const TaperedCapsule& capsule, const Vector3& to) {
     const Vector3 a = to_vector(capsule.a), axis = to_vector(capsule.b) - a;
     const float length = axis.norm(), wider = capsule.radius_b - capsule.radius_a;
-    float t = wider > 0 ? 1.0f : 0.0f;  // where one end's ball holds the other's
+    float t = wider > 0 ? 1.0f : 0.0f;  // where one end's ball contains the other's
     if (std::abs(wider) < 0.9999f * length) {
         const float k = wider / length, foot = (to - a).dot(axis) / (length * length);
         const float across = (to - a - foot * axis).norm();

@@ -1,5 +1,5 @@
 #pragma once
-// Where a collider's surface is nearest to one point.
+// The point of a collider's surface that is nearest to a given point.
 
 #include "engine/vector.h"
 #include "weft/collider.h"
@@ -11,11 +11,10 @@ class HeldShape;
 struct SurfacePoint {
     Vector3 point;   ///< [m]
     Vector3 normal;  ///< of unit length, outward
-    float distance;  ///< of what was asked for from it [m]; below 0 inside
+    float distance;  ///< signed distance of the given point [m]; negative inside
 };
 
-/// `held`: of a PlacedShape, which is looked for within 0.1 m of its outside; farther away it is at an
-/// infinite distance.
+/// `held`: the shape of a PlacedShape; farther than 0.1 m outside of it the distance is infinite.
 [[nodiscard]] SurfacePoint nearest_surface(const Collider& collider, const Vector3& to,
                                            const HeldShape* held = nullptr);
 

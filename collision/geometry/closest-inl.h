@@ -15,16 +15,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// How many of a pair's four corners are side A.
+/// Number of a pair's four corners that make side A.
 inline constexpr std::uint32_t vertex_and_triangle = 1, edge_and_edge = 2;
 
-/// Corners of pairs, relative to their first: so that what is far from the origin loses no more than rounding
-/// took from its coordinates.
+/// Corners of pairs, relative to the first corner, so that pairs far from the origin lose no more precision
+/// than rounding took from their coordinates.
 struct CornerLanes {
     Lanes3 point[4], motion[4];
 };
 
-/// PairShape, and its gap over the motion (PairFinder::find).
+/// PairShape in lanes, and its gap over the motion (PairFinder::find).
 struct ShapeLanes {
     Lanes4 weights;
     Lanes3 normal;
@@ -38,12 +38,13 @@ HWY_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
 HWY_INLINE Lanes clamp_to_one(Lanes t) {
     return hn::Min(hn::Max(t, set(0)), set(1));
 }
-/// 0 / 0 is 0.
+/// a / positive, where 0 / 0 is 0.
 HWY_INLINE Lanes quotient(Lanes a, Lanes positive) {
     return hn::Div(a, hn::Max(positive, set(std::numeric_limits<float>::min())));
 }
 
-/// The shortest vector yet from B to A, and where it begins and ends, s and t: what tells the weights.
+/// The shortest vector so far from B to A, and the parameters s and t of its ends, from which the weights
+/// follow.
 class BestGap {
   public:
     HWY_INLINE BestGap()
@@ -53,8 +54,8 @@ class BestGap {
           edge_(zero3()),
           squared_(set(std::numeric_limits<float>::infinity())) {}
 
-    /// `foot`: how far along `edge` the vector ends. Lengths do not tell a foot at an edge's end from one
-    /// beside it, by less than the root of their rounding, but normals do: the one beside it is right.
+    /// `foot`: fraction of `edge` at which the vector ends. Rounding of lengths hides whether a foot lies at
+    /// an edge's end or just beside it, but normals differ: the foot beside the end is right.
     HWY_INLINE void take(const Lanes3& gap, const Lanes3& edge, Lanes foot, Lanes other_s, Lanes other_t) {
         const auto within = hn::And(hn::Gt(foot, set(0)), hn::Lt(foot, set(1)));
         const Lanes exact = dot(gap, gap);
@@ -67,8 +68,9 @@ class BestGap {
         t = hn::IfThenElse(nearer, other_t, t);
     }
 
-    /// Across the edge that it ends within: what rounding left along an edge much longer than the gap would
-    /// tilt the normal, and that takes more of the gap between its planes than rounding took of its length.
+    /// The vector without its component along the edge that it ends within. On edges much longer than the
+    /// gap, rounding leaves one: the normal tilts, and loses more of the gap between its planes than the
+    /// length lost.
     [[nodiscard]] HWY_INLINE Lanes3 vector() const {
         return vector_ - quotient(dot(vector_, edge_), dot(edge_, edge_)) * edge_;
     }
@@ -80,15 +82,13 @@ class BestGap {
     Lanes squared_;
 };
 
-/// How far along from `from`, in the direction of `edge`, what is closest to `point` lies, 0 to 1 (Ericson
-/// 2004, 5.1.2).
+/// Fraction of `edge`, from `from` on, of the point closest to `point`, 0 to 1 (Ericson 2004, 5.1.2).
 HWY_INLINE Lanes closest_on_edge(const Lanes3& point, const Lanes3& from, const Lanes3& edge,
                                  Lanes length_squared) {
     return clamp_to_one(quotient(dot(point - from, edge), length_squared));
 }
 
-/// Where two directions are as parallel as this (squared sine), their cross product says little of what is
-/// across both.
+/// Squared sine between two directions at and below which their cross product is mostly rounding.
 inline constexpr float least_squared_sine = 1e-6f;
 
 /// A vector across `v`.
@@ -137,9 +137,9 @@ HWY_INLINE ClosestLanes closest_of_vertex_and_triangle(const Lanes3& a, const La
             {one, hn::Sub(hn::Add(s, t), one), hn::Neg(s), hn::Neg(t)}};
 }
 
-/// The edges are p0 p1 and q0 q1; p0 is the origin. As in Ericson 2004, 5.1.9, but the nearest of five: each
-/// end with the other edge, and what lies between the ends of both. So nearly parallel edges, for which the
-/// last is all rounding, are as exact as others.
+/// The edges are p0 p1 and q0 q1; p0 is the origin. As in Ericson 2004, 5.1.9, but the nearest of five
+/// candidates: each end with the other edge, and the insides of both edges. So nearly parallel edges, for
+/// which the last is mostly rounding, are as exact as others.
 HWY_INLINE ClosestLanes closest_of_edges(const Lanes3& p1, const Lanes3& q0, const Lanes3& q1) {
     const Lanes3 p0 = zero3(), p = p1, q = q1 - q0;
     const Lanes p2 = dot(p, p), q2 = dot(q, q);
@@ -152,7 +152,7 @@ HWY_INLINE ClosestLanes closest_of_edges(const Lanes3& p1, const Lanes3& q0, con
     best.take(s0 * p - q0, p, s0, s0, zero);
     best.take(s1 * p - q1, p, s1, s1, one);
 
-    // s p - t q - q0 is along p x q: times q, and times p, across it.
+    // s p - t q - q0 is parallel to p x q: its cross product with q eliminates t, that with p eliminates s.
     const Lanes3 across = cross(p, q);
     const Lanes across2 = dot(across, across);
     const Lanes s = quotient(dot(cross(q0, q), across), across2);
@@ -165,7 +165,7 @@ HWY_INLINE ClosestLanes closest_of_edges(const Lanes3& p1, const Lanes3& q0, con
     Lanes weight_s = hn::IfThenElse(between, s, best.s), weight_t = hn::IfThenElse(between, t, best.t);
 
     if (HWY_UNLIKELY(!hn::AllTrue(Tag(), skew))) {
-        // Nearly parallel: the foot on q of a point of p, which is exact even if that point is not.
+        // Nearly parallel edges: the foot on q of a point of p is exact even if that point is not.
         const Lanes s_within = clamp_to_one(s);
         const Lanes foot = closest_on_edge(s_within * p, q0, q, q2);
         best.take(s_within * p - mul_add(foot, q, q0), q, foot, s_within, foot);
@@ -187,7 +187,7 @@ HWY_INLINE Lanes gap_along(const Lanes3& n, const CornerLanes& corners) {
                                        : hn::Sub(hn::Min(along[0], along[1]), hn::Max(along[2], along[3]));
 }
 
-/// Likewise, of x and of x + m.
+/// The same over the motion: min over A - max over B of n . x and n . (x + m).
 template <std::uint32_t of_a>
 HWY_INLINE Lanes swept_gap_along(const Lanes3& n, const CornerLanes& corners) {
     Lanes least[4], most[4];
@@ -207,8 +207,8 @@ HWY_INLINE Lanes3 unit(const Lanes3& v) {
     return keep_where(some, hn::Div(set(1), hn::Sqrt(hn::IfThenElse(some, squared, set(1)))) * v);
 }
 
-/// The axis of the closest points, unless it does not keep the two apart, as where they touch or cross, or
-/// for rounding: then the better of it and the second axis.
+/// The normal along the gap of the closest points. If it does not separate the two, because they touch or
+/// cross or by rounding, the better of it and the second axis.
 template <std::uint32_t of_a>
 HWY_INLINE void choose_normal(const ClosestLanes& closest, const CornerLanes& corners, ShapeLanes& shape) {
     shape.normal = unit(closest.gap);
@@ -216,7 +216,7 @@ HWY_INLINE void choose_normal(const ClosestLanes& closest, const CornerLanes& co
     const auto apart = hn::Gt(shape.gap, set(0));
     if (HWY_LIKELY(hn::AllTrue(Tag(), apart))) return;
     const auto is_zero = hn::Eq(dot(shape.normal, shape.normal), set(0));
-    const Lanes3 some = {set(0), set(1), set(0)};  // where all is in one point or one line, as good as any
+    const Lanes3 some = {set(0), set(1), set(0)};  // arbitrary: all corners lie in one line
     Lanes3 across = unit(closest.across);
     across = either(hn::And(is_zero, hn::Eq(dot(across, across), set(0))), some, across);
     const auto consider = [&](const Lanes3& axis) HWY_ATTR {
@@ -245,7 +245,7 @@ HWY_INLINE ShapeLanes shape_of(const CornerLanes& corners) {
     return shape;
 }
 
-/// PairShape::is_at_border.
+/// PairShape::is_at_border, lane by lane.
 template <std::uint32_t of_a>
 HWY_INLINE hn::Mask<Tag> is_at_border(const Lanes4& w) {
     const auto in_triangle = hn::Or(hn::Eq(w.y, set(0)), hn::Or(hn::Eq(w.z, set(0)), hn::Eq(w.w, set(0))));

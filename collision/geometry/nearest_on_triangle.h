@@ -1,5 +1,5 @@
 #pragma once
-// Where a triangle is nearest to a point.
+// The point of a triangle that is nearest to a given point.
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace weft {
 
-/// As weights of its corners; none of them is 0 only where it is nearest across its face. One without an
-/// area is its first corner, or its sides. C. Ericson, "Real-time collision detection", 2004, 5.1.5.
+/// Barycentric weights of the nearest point; none is 0 only if it lies within the face. A triangle without
+/// area counts as its first corner, or its sides. C. Ericson, "Real-time collision detection", 2004, 5.1.5.
 inline std::array<float, 3> nearest_on_triangle(const Vector3& p, const std::array<Vector3, 3>& x) {
     const auto part = [](float of, float all) { return all > 0 ? std::clamp(of / all, 0.0f, 1.0f) : 0.0f; };
     const Vector3 ab = x[1] - x[0], ac = x[2] - x[0], ap = p - x[0], bp = p - x[1], cp = p - x[2];

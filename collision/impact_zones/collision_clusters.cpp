@@ -75,7 +75,7 @@ void CollisionClusters::mark(const CollidingPairs& collisions) {
     }
 }
 
-/// Particles of one part that edges join.
+/// Makes clusters of marked particles: those of one part that edges join.
 void CollisionClusters::label(std::span<const ContactBody> bodies) {
     for (const std::uint32_t i : marked_) of_[i] = none;
     members_.clear();
@@ -133,7 +133,7 @@ void CollisionClusters::cut_by_sides(const CollidingPairs& collisions) {
     }
 }
 
-// A cluster's normal is that of its faces, or if it has none whole, of the faces around its particles.
+// A cluster's normal is that of its faces or, if none is wholly in it, of the faces around its particles.
 void CollisionClusters::measure(const CollidingPairs& collisions, std::span<const Vec4> velocities) {
     for (std::uint32_t c = 0; c < clusters_.size(); ++c) {
         CollisionCluster& cluster = clusters_[c];

@@ -24,8 +24,8 @@ Vector3d direction_of(const Vector3d& normal) {
     return length > 0 ? Vector3d(normal / length) : Vector3d::Zero();
 }
 
-/// Row by row, A becomes L where A = L L^T (Cholesky); false if A is not positive definite. By hand, since
-/// Eigen orders sums by the machine's vectors.
+/// Replaces A by L, row by row, with A = L L^T (Cholesky). Returns false if A is not positive definite. Eigen
+/// is not used: it orders sums by the machine's vectors.
 bool factorise(std::span<double> a, std::size_t m) {
     for (std::size_t i = 0; i < m; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
@@ -38,7 +38,7 @@ bool factorise(std::span<double> a, std::size_t m) {
     return true;
 }
 
-/// x becomes A^-1 x.
+/// Replaces x by A^-1 x.
 void solve_factors(std::span<const double> l, std::span<double> x) {
     const std::size_t m = x.size();
     for (std::size_t i = 0; i < m; ++i) {
@@ -62,7 +62,7 @@ std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positi
         const Vector3 n = xyz(shape.normal);
         const std::uint32_t first = pairs.pairs[k].corners[0];
         float distance = 0,
-              approach = 0;  // weights add up to nothing: of differences, that rounding is small
+              approach = 0;  // weights add up to 0: the rounding of differences is small
         for (std::uint32_t c = 1; c < 4; ++c) {
             const std::uint32_t i = pairs.pairs[k].corners[c];
             distance += shape.weight(c) * n.dot(xyz(positions[i]) - xyz(positions[first]));
@@ -117,7 +117,7 @@ void ImpactZones::list_collisions(const CollidingPairs& collisions, ZoneCounts& 
     join_equal();
 }
 
-/// Of two clusters there is one collision; for now its direction is the sum of the pairs' normals.
+/// Joins the collisions of the same two clusters. The direction, for now, is the sum of the pairs' normals.
 void ImpactZones::join_equal() {
     const auto key = [](const Collision& c) {
         return std::tuple(c.a, c.b, c.direction.x(), c.direction.y(), c.direction.z());
@@ -133,8 +133,8 @@ void ImpactZones::join_equal() {
     collisions_.resize(kept);
 }
 
-/// Whether what they are one of may be one: it is bent by less than a right angle, and does not collide with
-/// itself.
+/// Whether two merged clusters may become one: their normals differ by at most a right angle, and they do not
+/// collide with each other.
 bool ImpactZones::may_merge(std::uint32_t a, std::uint32_t b) {
     if (dot(merged_[a].normal, merged_[b].normal) < 0) return false;
     const std::uint32_t fewer = degrees_[a] <= degrees_[b] ? a : b, other = fewer == a ? b : a;
@@ -160,7 +160,7 @@ void ImpactZones::list_ends() {
     }
 }
 
-/// Makes b one with a.
+/// Merges b into a.
 void ImpactZones::merge(std::uint32_t a, std::uint32_t b) {
     CollisionCluster &into = merged_[a], &from = merged_[b];
     const double mass = into.mass + from.mass;
@@ -177,9 +177,9 @@ void ImpactZones::merge(std::uint32_t a, std::uint32_t b) {
 }
 
 // Clusters of one surface are close if at most two edges outside both connect them (section 3.2). Only zones
-// of three and more have any that are to be merged.
+// of three and more clusters have any to merge.
 void ImpactZones::merge_close(const CollidingPairs& collisions, ZoneCounts& counts) {
-    seen_.assign(merged_.size(), 0);  // clusters of the zone, up to three
+    seen_.assign(merged_.size(), 0);  // number of clusters of the zone, up to three
     for (std::uint32_t c = 0; c < merged_.size(); ++c) {
         std::uint8_t& count = seen_[zone_root(c)];
         count = static_cast<std::uint8_t>(std::min(count + 1, 3));
@@ -212,8 +212,8 @@ void ImpactZones::merge_close(const CollidingPairs& collisions, ZoneCounts& coun
     if (counts.merged > 0) join_equal();
 }
 
-// The direction of collision is the mean of the clusters' normals, signed so that N1 . N2 >= 0 (section 3.3),
-// and points where the pairs' do. What separates along it needs nothing.
+// The direction of collision is the mean of the clusters' normals, signed so that N1 . N2 >= 0 (section 3.3).
+// It points as the pairs' directions do. Clusters that separate along it need no impulse.
 void ImpactZones::aim(const ZoneSettings& settings) {
     const auto restitution_of = [&](std::size_t a, std::size_t b) {
         const std::span<const float> of = settings.restitutions;
@@ -234,7 +234,7 @@ void ImpactZones::aim(const ZoneSettings& settings) {
     collisions_.resize(kept);
 }
 
-/// How the impulse of each collision changes the relative velocity of each, and what change is wanted.
+/// Fills the matrix, from impulses to changes of relative velocities, and the wanted changes of these.
 void ImpactZones::assemble(std::span<const Collision> zone) {
     const std::size_t m = zone.size();
     for (std::size_t e = 0; e < m; ++e) {
@@ -252,8 +252,8 @@ void ImpactZones::assemble(std::span<const Collision> zone) {
     }
 }
 
-/// N - 1 equations v+ = -C_e v- (eq. 1), with momentum kept (eq. 2); false if an impulse would pull, or
-/// one collision leaves another no choice.
+/// Solves N - 1 equations v+ = -C_e v- (eq. 1), with momentum kept (eq. 2). Returns false if an impulse would
+/// pull, or if the equations are dependent.
 bool ImpactZones::solve_equations(std::span<Collision> zone) {
     const std::size_t m = zone.size();
     std::array<double, most_solved * most_solved> factors;
@@ -268,7 +268,7 @@ bool ImpactZones::solve_equations(std::span<Collision> zone) {
     return true;
 }
 
-/// v+ >= -C_e v- (eq. 3), of which the sum of v+ + C_e v- is least (eq. 4): the energy that is brought in.
+/// Solves v+ >= -C_e v- (eq. 3) with the least sum of v+ + C_e v- (eq. 4): the energy that is brought in.
 bool ImpactZones::solve_program(std::span<Collision> zone) {
     const std::size_t m = zone.size();
     for (std::size_t f = 0; f < m; ++f) {
@@ -283,7 +283,7 @@ bool ImpactZones::solve_program(std::span<Collision> zone) {
     return true;
 }
 
-/// Eq. 3 by turns; velocities here hold what has been given so far.
+/// Solves eq. 3 by Gauss-Seidel; the velocities here include the impulses so far.
 void ImpactZones::relax(std::span<Collision> zone) {
     constexpr int sweeps = 60;
     for (int sweep = 0; sweep < sweeps; ++sweep) {

@@ -7,7 +7,7 @@ namespace weft {
 
 namespace {
 
-constexpr double tiny = 1e-11;  // below it a cost or a pivot counts as none: the table is scaled to about 1
+constexpr double tiny = 1e-11;  // a smaller cost or pivot counts as none: the table is scaled to about 1
 
 double largest(std::span<const double> values) {
     double most = 0;
@@ -32,8 +32,8 @@ void LinearProgram::pivot(std::size_t row, std::size_t column) {
     basis_[row] = column;
 }
 
-/// From vertex to vertex, with unknowns from the first so many columns; false if there is no end,
-/// or none that is near.
+/// Pivots from vertex to vertex, with unknowns from the first so many columns. Returns false if there is no
+/// minimum, or none within the limit of steps.
 bool LinearProgram::descend(std::size_t columns) {
     const std::size_t most_steps = 4 * (rows_ + columns);
     for (std::size_t step = 0; step < most_steps; ++step) {
@@ -56,8 +56,8 @@ bool LinearProgram::descend(std::size_t columns) {
     return false;
 }
 
-// Unknowns, then a surplus a row, then an artificial unknown for each row that x = 0 breaks. First the sum of
-// the artificial ones is brought to 0, then the cost down.
+// Columns: the unknowns, a surplus for each row, and an artificial unknown for each row that x = 0 violates.
+// The first phase brings the sum of the artificial ones to 0, the second minimises the cost.
 bool LinearProgram::minimise(std::span<const double> cost, std::span<const double> a,
                              std::span<const double> b, std::span<double> x) {
     const std::size_t n = cost.size();
@@ -79,7 +79,7 @@ bool LinearProgram::minimise(std::span<const double> cost, std::span<const doubl
     }
     if (!descend(n + rows_) || at(rows_, width_ - 1) < -1e-9) return false;
     for (std::size_t r = 0; r < rows_; ++r) {
-        if (basis_[r] < n + rows_) continue;  // an artificial unknown that is 0 gives way where any other can
+        if (basis_[r] < n + rows_) continue;  // an artificial unknown that is 0 leaves if another can enter
         std::size_t k = 0;
         while (k < n + rows_ && std::abs(at(r, k)) <= tiny) ++k;
         if (k < n + rows_) pivot(r, k);

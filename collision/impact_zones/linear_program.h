@@ -1,6 +1,6 @@
 #pragma once
-// A small linear programme, by the simplex method on a dense table (G. Dantzig, 1951; the rule that keeps it
-// from going round is R. Bland's, 1977).
+// A small linear programme, by the simplex method on a dense table (G. Dantzig, 1951; with the rule of
+// R. Bland, 1977, which prevents cycling).
 
 #include <cstddef>
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace weft {
 
-/// Minimises cost . x with A x >= b and x >= 0. No allocation but in the constructor.
+/// Minimises cost . x with A x >= b and x >= 0. Only the constructor allocates.
 class LinearProgram {
   public:
-    /// For up to so many unknowns, and as many inequalities.
+    /// Allocates the table for up to `most` unknowns, and as many inequalities.
     explicit LinearProgram(std::size_t most = 0);
     [[nodiscard]] std::size_t most() const noexcept { return most_; }
 
-    /// `a` by rows: b.size() rows of cost.size(). Returns whether there is a minimum; else x is unchanged.
+    /// `a` by rows: b.size() rows of cost.size(). Returns whether there is a minimum; if not, x is unchanged.
     /// Preconditions: neither number is above most(); x.size() == cost.size().
     bool minimise(std::span<const double> cost, std::span<const double> a, std::span<const double> b,
                   std::span<double> x);
@@ -30,8 +30,8 @@ class LinearProgram {
     bool descend(std::size_t columns);
 
     std::size_t most_, rows_ = 0, width_ = 0;
-    std::vector<double> table_;       // rows_ equations, the costs left, each with its right side last
-    std::vector<std::size_t> basis_;  // by row: its unknown
+    std::vector<double> table_;  // rows_ equations, the reduced costs, each with its right-hand side last
+    std::vector<std::size_t> basis_;  // by row: its basic unknown
 };
 
 }  // namespace weft

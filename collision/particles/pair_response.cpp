@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Of pairs at one point, which is rare.
+/// Replaces the normals of pairs at one point, which are rare.
 template <class Mask>
 HWY_NOINLINE Lanes3 with_separating_directions(const Lanes3& normal, Mask coincident, const std::uint32_t* i,
                                                const std::uint32_t* j) {
@@ -40,7 +40,7 @@ void respond(const ResponseSettings& settings, const Vec4* positions, const Vec4
              PairBatch& batch) {
     const Tag d;
     const Lanes zero = set(0), distance = set(settings.distance);
-    // The last group reads on: pairs of a particle with itself, whose results nobody reads.
+    // Padding of the last group: pairs of a particle with itself, whose results are not used.
     for (std::uint32_t k = batch.count; k % part_lanes != 0; ++k) {
         batch.i[k] = batch.j[k] = batch.i[0];
         batch.sharers[k] = 1;

@@ -15,13 +15,13 @@ namespace {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/// Finds which particles are near one of them. Keeps its memory from search to search.
+/// Finds the particles near a given one. Its memory is kept from search to search.
 class Search {
   public:
     Search(const RestGraph& graph, double limit)
         : graph_(graph), limit_(limit), ways_(graph.offsets.size() - 1, unreached) {}
 
-    /// Those that are joined to `from`, or within the limit of it, ascending; `from` is among them if any is.
+    /// The particles joined to `from`, or within the limit of it, ascending; `from` is among them.
     const std::vector<std::uint32_t>& near(std::uint32_t from) {
         near_.clear();
         reach(from, 0);
@@ -29,7 +29,7 @@ class Search {
             std::ranges::pop_heap(front_, std::greater<>{});
             const auto [way, particle] = front_.back();
             front_.pop_back();
-            if (way > ways_[particle]) continue;  // it was reached by a shorter way since
+            if (way > ways_[particle]) continue;  // a shorter path was found since
             for (std::uint32_t k = graph_.offsets[particle]; k < graph_.offsets[particle + 1]; ++k) {
                 const double longer = way + static_cast<double>(graph_.lengths[k]);
                 if (longer < limit_) reach(graph_.neighbours[k], longer);
@@ -55,7 +55,7 @@ class Search {
 
     const RestGraph& graph_;
     double limit_;
-    std::vector<double> ways_;                             // of each particle from the present one
+    std::vector<double> ways_;                             // length of the path to each particle
     std::vector<std::pair<double, std::uint32_t>> front_;  // a heap, the nearest first
     std::vector<std::uint32_t> near_;
 };
@@ -76,8 +76,8 @@ Result<RestNeighbours> RestNeighbours::find(const RestGraph& graph, float distan
     const auto particles = static_cast<std::uint32_t>(graph.offsets.size() - 1);
     Search search(graph, detour * static_cast<double>(distance));
 
-    // Sums of lengths differ in rounding from one end of a way to the other: the end with the lower number
-    // decides for both, so that what one leaves alone the other does, too.
+    // Sums of lengths differ in rounding from one end of a path to the other: the end with the lower number
+    // decides for both, so that each is in the other's list or neither is.
     std::vector<std::uint32_t> higher, ends(particles), counts(particles, 0);
     for (std::uint32_t i = 0; i < particles; ++i) {
         for (const std::uint32_t j : search.near(i)) {
@@ -93,7 +93,7 @@ Result<RestNeighbours> RestNeighbours::find(const RestGraph& graph, float distan
     result.offsets_ = SharedBuffer<std::uint32_t>(std::size_t{particles} + 1);
     for (std::uint32_t i = 0; i < particles; ++i) result.offsets_[i + 1] = result.offsets_[i] + counts[i];
     result.neighbours_ = SharedBuffer<std::uint32_t>(result.offsets_[particles]);
-    // In order of the lower end: so each list has its lower neighbours before its higher ones.
+    // Pairs in order of their lower ends: each list then has its lower neighbours before its higher ones.
     std::vector<std::uint32_t> next(result.offsets_.data(), result.offsets_.data() + particles);
     for (std::uint32_t i = 0, k = 0; i < particles; ++i) {
         for (; k < ends[i]; ++k) {

@@ -10,7 +10,7 @@ namespace weft {
 
 namespace {
 
-/// The pairs that a search must tell apart: closer than `distance`, and not meant to be.
+/// The test of a pair: closer than `distance`, and not close at rest.
 struct PairTest {
     PairTest(const SortedParticles& sorted_particles, const RestFilter& rest_filter, float distance)
         : sorted(sorted_particles), filter(rest_filter), distance_squared(distance * distance) {}
@@ -26,9 +26,9 @@ struct PairTest {
     float distance_squared;
 };
 
-/// Shows `visit` the slots of a range, until it says false; returns what it said last. From a slot in the
-/// range it goes outward: particles crowded at one point then fill their lists with one another, not all with
-/// the same few.
+/// Calls visit(slot) for the slots of a range, until it returns false; returns its last result. From a slot
+/// in the range the order is outward: particles crowded at one point then fill their lists with different
+/// particles, not all with the same few.
 template <class Visit>
 bool visit_from(std::uint32_t slot, SlotRange range, const Visit& visit) {
     if (slot < range.begin || slot >= range.end) {
@@ -45,8 +45,8 @@ bool visit_from(std::uint32_t slot, SlotRange range, const Visit& visit) {
     return true;
 }
 
-/// Shows `add` the contacts of a slot's particle. It ends when add says false, the list being full, so that
-/// even n particles at one point cost no more than n times its capacity.
+/// Calls add(contact) for the contacts of a slot's particle, until it returns false because the list is full:
+/// even n particles at one point cost at most n times the list's capacity.
 template <class Add>
 void add_contacts(const PairTest& test, std::uint32_t slot, std::span<const SlotRange> ranges,
                   const Add& add) {
@@ -97,7 +97,7 @@ void SelfContacts::find(Parallel& parallel, std::span<const Vec4> positions, con
     }
 }
 
-/// False if particles are left unsearched: those of patches that are too crowded.
+/// Returns false if particles are left unsearched: those of patches that are too crowded.
 bool SelfContacts::search_patches(Parallel& parallel, const RestFilter& filter, float distance) {
     const PatchesView patches = patches_.view();
     parallel.ranges(static_cast<std::uint32_t>(counts_.size()), [&](const BlockRange& block) {
@@ -116,7 +116,7 @@ bool SelfContacts::search_patches(Parallel& parallel, const RestFilter& filter, 
     return std::ranges::all_of(left_out_.span(), [](std::uint32_t left_out) { return left_out == 0; });
 }
 
-/// Of rows for the particles left unsearched, of cubes for all.
+/// Searches a grid of rows for the particles left unsearched, or a grid of cubes for all.
 void SelfContacts::search_grid(Parallel& parallel, CellShape shape, const RestFilter& filter,
                                float distance) {
     const PairTest test(grid_.sorted(), filter, distance);
@@ -159,7 +159,7 @@ void SelfContacts::search_sweep(Parallel& parallel, const RestFilter& filter, fl
     });
 }
 
-/// To the particle's list, which ascends and has no duplicates; false if there was no room.
+/// Adds to the particle's list, which ascends and has no duplicates. Returns false if it had no room.
 bool SelfContacts::add(std::uint32_t particle, std::uint32_t contact) {
     std::uint8_t& count = counts_[particle];
     if (count == overflowed) return false;

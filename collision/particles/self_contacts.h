@@ -22,17 +22,17 @@ namespace weft {
 
 struct SelfContactCounts {
     std::uint32_t pairs = 0;    ///< contacts that were resolved
-    std::uint32_t dropped = 0;  ///< particles whose list was full; the rest of their contacts wait
+    std::uint32_t dropped = 0;  ///< particles whose list was full; their other contacts are not resolved
     std::uint32_t peak = 0;     ///< most contacts of one particle
 };
 
-/// Buffers for the contacts of one cloth. Made when self-collision is switched on, and for no cloth else.
+/// Buffers for the contacts of one cloth. They are made only when its self-collision is switched on.
 class SelfContacts {
   public:
     static constexpr std::uint32_t capacity = 16;  ///< contacts kept per particle
 
-    /// For this search, and for all that need no memory of their own. Precondition: positions at rest, which
-    /// say what mostly lies together, are finite.
+    /// Reserves memory for this search, and for all that need none of their own. Precondition: positions at
+    /// rest, by which patches are cut, are finite.
     explicit SelfContacts(std::span<const Vec4> rest_positions,
                           SelfCollisionSearch search = SelfCollisionSearch::exact);
     [[nodiscard]] bool has_memory_for(SelfCollisionSearch search) const noexcept {
@@ -44,17 +44,16 @@ class SelfContacts {
     void find(Parallel& parallel, std::span<const Vec4> positions, const RestFilter& filter, float distance,
               SelfCollisionSearch search);
 
-    /// Gathers the response of the pairs found: positions to `distance`, velocities no longer approaching,
-    /// Coulomb friction. positions.w is the inverse mass. What a pair's particles get is opposite and along
-    /// the line between them, so linear and angular momentum are kept; friction, which acts across that line,
-    /// keeps linear momentum. Precondition: the positions are those given to find(). h: length of the substep
-    /// [s].
+    /// Applies the response of the pairs found: it moves particles to `distance`, stops approaching
+    /// velocities, and adds Coulomb friction. positions.w is the inverse mass. The changes of a pair's
+    /// particles are opposite and along the line between them, so linear and angular momentum are kept;
+    /// friction, which acts across that line, keeps linear momentum. Precondition: the positions are those
+    /// given to find(). h: length of the substep [s].
     SelfContactCounts respond(Parallel& parallel, float distance, float friction, float h,
                               std::span<Vec4> positions, std::span<Vec4> velocities);
 
-    /// Before respond(): visit(i, j, change) for each pair whose approach it is going to stop, with the
-    /// change of i's velocity [m/s], of which j gets the opposite by momentum. i is free; of two such, the
-    /// lower.
+    /// Before respond(): calls visit(i, j, change) for each pair whose approach respond() will stop. `change`
+    /// is that of i's velocity [m/s]; j gets the opposite momentum. i is free; if both are, it is the lower.
     template <class Visit>
     void for_each_stopped(const ResponseSettings& settings, std::span<const Vec4> positions,
                           std::span<const Vec4> velocities, const Visit& visit) const {
@@ -80,9 +79,9 @@ class SelfContacts {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    // In counts_: the list is full, and there were more.
+    // Value in counts_: the list is full, and there were more contacts.
     static constexpr std::uint8_t overflowed = capacity + 1;
-    // In counts_, within find(): the particle is still to be searched for.
+    // Value in counts_, within find(): the particle is still to be searched.
     static constexpr std::uint8_t unsearched = 255;
 
     [[nodiscard]] bool search_patches(Parallel& parallel, const RestFilter& filter, float distance);
@@ -103,7 +102,7 @@ class SelfContacts {
     AlignedBuffer<Vec4> displacements_,
         velocity_changes_;  // of particles with contacts; others are not written
     AlignedBuffer<SelfContactCounts> block_counts_;
-    AlignedBuffer<std::uint32_t> left_out_;  // of each block, the patches that are left to the grid
+    AlignedBuffer<std::uint32_t> left_out_;  // by block: bits of the patches that are left to the grid
 };
 
 }  // namespace weft

@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// A pair is resolved if each is in the other's list, so that what one gains the other loses. Only a list
+/// A pair is resolved if each is in the other's list, so that one gains what the other loses. Only a list
 /// that had no room for all can lack a contact.
 bool SelfContacts::is_mutual(std::uint32_t particle, std::uint32_t contact) const noexcept {
     if (counts_[contact] != overflowed) return true;
@@ -15,7 +15,7 @@ bool SelfContacts::is_mutual(std::uint32_t particle, std::uint32_t contact) cons
     return std::binary_search(list.begin(), list.end(), particle);
 }
 
-/// Adds a pair that is to be resolved, a free one first; returns whether it did.
+/// Adds a pair that is to be resolved, with a free particle first. Returns whether it was added.
 bool SelfContacts::add_pair(std::uint32_t i, std::uint32_t j, std::span<const Vec4> positions,
                             PairBatch& batch) const {
     if (positions[i].w + positions[j].w <= 0 || !is_mutual(i, j)) return false;
@@ -26,8 +26,8 @@ bool SelfContacts::add_pair(std::uint32_t i, std::uint32_t j, std::span<const Ve
     return true;
 }
 
-/// visit(i) for those particles of a block that have contacts, in ascending order. Most have none: they are
-/// passed over eight at a time.
+/// Calls visit(i) for the particles of a block that have contacts, in ascending order. Most have none, and
+/// are skipped eight at a time.
 template <class Visit>
 void SelfContacts::for_each_touching(const BlockRange& block, const Visit& visit) const {
     constexpr std::uint32_t step = sizeof(std::uint64_t);

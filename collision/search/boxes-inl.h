@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// A box in every lane, or one of many.
+/// Boxes, one to a lane, or the same box in every lane.
 struct BoxLanes {
     Lanes3 lower, upper;
 };
@@ -58,8 +58,8 @@ HWY_INLINE BoxLanes box_of(const Boxes& boxes, std::uint32_t k) {
             set_point({boxes.upper_x[k], boxes.upper_y[k], boxes.upper_z[k]})};
 }
 
-/// How far two boxes are apart, along the axis where they are farthest apart. As rounding keeps order, no two
-/// points in them are closer than that along that axis, as computed.
+/// Distance of two boxes along the axis where it is largest. Rounding keeps order: the computed distance of
+/// two points in them along that axis is no smaller.
 HWY_INLINE Lanes gap(const BoxLanes& a, const BoxLanes& b) {
     const Lanes3 apart = maximum(a.lower - b.upper, b.lower - a.upper);
     return hn::Max(apart.x, hn::Max(apart.y, apart.z));

@@ -1,4 +1,4 @@
-// What the searches share: lanes of indices, distances, and `Cells`, lane by lane. Included as
+// Shared by the searches: lanes of indices, distances, and `Cells` lane by lane. Included as
 // engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_SEARCH_CELLS_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -17,21 +17,21 @@ namespace weft::HWY_NAMESPACE {
 using IndexTag = hn::Repartition<std::uint32_t, Tag>;
 using Indices = hn::Vec<IndexTag>;
 
-/// Exactly as it would be computed one by one: no operation is fused, and swapping two points changes signs
-/// of their difference only.
+/// The squared length as scalar code computes it: no operation is fused. Swapping two points changes only the
+/// signs of their difference.
 HWY_INLINE Lanes squared_length(const Lanes3& v) {
     return hn::Add(hn::Add(hn::Mul(v.x, v.x), hn::Mul(v.y, v.y)), hn::Mul(v.z, v.z));
 }
 
 HWY_INLINE hn::Mask<Tag> is_finite(const Lanes3& p) {
-    const Lanes zero = set(0);  // times what is not finite: not a number
+    const Lanes zero = set(0);  // times a value that is not finite: not a number
     return hn::Eq(hn::MulAdd(p.z, zero, hn::MulAdd(p.y, zero, hn::Mul(p.x, zero))), zero);
 }
 
 HWY_INLINE Indices set_index(std::uint32_t value) {
     return hn::Set(IndexTag(), value);
 }
-/// first, first + 1, .. Highway's Iota from what is not constant stores lane by lane, and waits to load them.
+/// first, first + 1, .. Highway's Iota from a variable stores lane by lane, and waits to load them.
 HWY_INLINE Indices indices_from(std::uint32_t first) {
     return hn::Add(set_index(first), hn::Iota(IndexTag(), 0));
 }
@@ -41,7 +41,7 @@ HWY_INLINE Indices mixed(Indices bits) {
     return hn::Xor(bits, hn::ShiftRight<13>(bits));
 }
 
-/// Cells::at. Not-a-number is not greater than zero, and so in cell 0.
+/// Cells::at, lane by lane. Not-a-number is not greater than zero, so its cell is 0.
 HWY_INLINE Indices cell_at(const Cells& cells, Lanes coordinate, float from) {
     const Lanes offset = hn::Mul(hn::Sub(coordinate, set(from)), set(cells.per_metre));
     const Lanes cell = hn::Add(offset, set(cells.shift));
@@ -68,7 +68,7 @@ struct RunsLanes {
     Indices run[4];
 };
 
-/// Of own cell and half: own * factor, and that of the neighbour on the half's side.
+/// The factor times the own cell along an axis, and times the neighbour on the side of the half.
 struct SideHashes {
     Indices own, other;
 };

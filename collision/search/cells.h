@@ -1,5 +1,5 @@
 #pragma once
-// Which cell a point is in, and which bucket of the hashed table a cell has.
+// Cells of points, and buckets of cells in the hashed table.
 
 #include <array>
 #include <cstdint>
@@ -22,7 +22,7 @@ struct CellHash {
     }
 };
 
-/// Where cells lie, and the buckets of a point. `cells-inl.h` does the same lane by lane, to the last bit.
+/// The lattice of cells, and buckets of points. `cells-inl.h` computes the same in lanes, to the last bit.
 struct Cells {
     static constexpr float limit = 4194304.0f;  // 2^22: exact as a float, far from overflow as an int
 
@@ -31,7 +31,7 @@ struct Cells {
     float shift = 0;
     std::uint32_t mask = 0;  // buckets - 1
 
-    /// Counted from zero and never above 2^22, whatever the coordinate.
+    /// The cell along one axis, counted from zero and never above 2^22, whatever the coordinate.
     [[nodiscard]] std::uint32_t at(float coordinate, float from) const noexcept {
         const float cell = (coordinate - from) * per_metre + shift;
         return static_cast<std::uint32_t>(

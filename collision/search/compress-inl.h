@@ -1,4 +1,4 @@
-// The lanes that pass a test, moved together. Included as engine/simd/lanes-inl.h is.
+// Compression: moves the lanes that pass a test together. Included as engine/simd/lanes-inl.h is.
 //
 // Highway 1.0.3's Compress for 8 and 4 lanes has its table in a local array: g++ copies that to the stack
 // at every call, which took two thirds of a search's time on AVX2.
@@ -21,7 +21,7 @@ namespace weft::HWY_NAMESPACE {
 
 using IndexMask = hn::Mask<IndexTag>;
 
-/// Of each byte, which bits are set, in ascending order.
+/// For each byte, the numbers of its set bits, ascending.
 inline constexpr auto numbers_of_bits = [] {
     std::array<std::array<std::uint8_t, 8>, 256> numbers{};
     for (std::uint32_t bits = 0; bits < 256; ++bits)
@@ -30,7 +30,7 @@ inline constexpr auto numbers_of_bits = [] {
     return numbers;
 }();
 
-/// The lanes of a mask, in ascending order, for what is kept of them.
+/// Moves the lanes of a mask to the front, in ascending order.
 class Kept {
   public:
     HWY_INLINE explicit Kept(IndexMask mask) : mask_(mask) {}
@@ -38,14 +38,14 @@ class Kept {
     [[nodiscard]] HWY_INLINE std::uint32_t count() const {
         return static_cast<std::uint32_t>(hn::CountTrue(IndexTag(), mask_));
     }
-    /// What `values` has there, then anything.
+    /// The values in these lanes, then arbitrary ones.
     [[nodiscard]] HWY_INLINE Indices of(Indices values) const {
         if constexpr (part_lanes == 16)
             return hn::Compress(values, mask_);
         else
             return hn::TableLookupLanes(values, hn::IndicesFromVec(IndexTag(), lanes()));
     }
-    /// Likewise of first, first + 1, ..
+    /// The same of the numbers first, first + 1, ..
     [[nodiscard]] HWY_INLINE Indices of_numbers_from(std::uint32_t first) const {
         if constexpr (part_lanes == 16)
             return hn::Compress(indices_from(first), mask_);

@@ -24,7 +24,7 @@ void buckets(const Cells& cells, CellShape shape, std::span<const Vec4> block, s
              BlockOfIndices& buckets) {
     const auto size = static_cast<std::uint32_t>(block.size());
     for (std::uint32_t k = 0; k < size; k += part_lanes) {
-        Vec4 last[part_lanes] = {};  // a host's array need not go on to the end of its group
+        Vec4 last[part_lanes] = {};  // padding: a host's array may end within a group
         const Vec4* rows = &block[k];
         if (HWY_UNLIKELY(size - k < part_lanes)) {
             std::copy(block.begin() + k, block.end(), last);
@@ -64,18 +64,18 @@ void partition(const BlockOfIndices& buckets, const BlockRange& range, std::uint
     std::copy_n(particles, size, entries.particles + range.begin);
 }
 
-/// Lane k to all lanes.
+/// Copies lane k to all lanes.
 HWY_INLINE Indices broadcast(Indices v, std::uint32_t k) {
     return hn::TableLookupLanes(v, hn::IndicesFromVec(IndexTag(), set_index(k)));
 }
 
-/// Lane k: the sum of lanes 0 to k.
+/// Prefix sums: lane k has the sum of lanes 0 to k.
 HWY_INLINE Indices sums_up_to(Indices v) {
     const IndexTag d;
-    v = hn::Add(v, hn::ShiftLeftLanes<1>(d, v));  // these two within every four lanes
+    v = hn::Add(v, hn::ShiftLeftLanes<1>(d, v));  // these two steps within every four lanes
     v = hn::Add(v, hn::ShiftLeftLanes<2>(d, v));
     for (std::uint32_t step = 4; step < part_lanes; step *= 2) {
-        // Of each 2 * step lanes the upper half lacks the lower half's sum.
+        // In each 2 * step lanes, the upper half lacks the lower half's sum.
         const Indices lane = indices_from(0);
         const Indices end_of_lower = hn::Sub(hn::And(lane, set_index(~(2 * step - 1))), set_index(1u - step));
         const Indices lower = hn::TableLookupLanes(v, hn::IndicesFromVec(d, end_of_lower));

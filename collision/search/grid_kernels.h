@@ -21,7 +21,7 @@ using BlockOfIndices = std::array<std::uint32_t, block_size>;
 void find_buckets(const Cells& cells, CellShape shape, std::span<const Vec4> block, std::uint32_t first,
                   BlockOfIndices& buckets);
 
-/// Particles on their way to their slots.
+/// Entries of the sort: particles and their buckets, before they have slots.
 struct GridEntries {
     std::uint32_t* buckets;
     std::uint32_t* particles;
@@ -31,10 +31,10 @@ struct GridEntries {
 void partition_block(const BlockOfIndices& buckets, const BlockRange& range, std::uint32_t shift,
                      std::uint32_t parts, const GridEntries& entries, std::uint16_t* part_starts);
 
-/// Counts become starts: values[k] = first + the sum of those before it.
+/// Turns counts into starts: values[k] = first + the sum of the counts before it.
 void running_sum(std::span<std::uint32_t> values, std::uint32_t first);
 
-/// x[s], y[s], z[s] = the position of particles[s], for s from begin to end.
+/// Sets x[s], y[s], z[s] to the position of particles[s], for s from begin to end.
 void copy_sorted(std::span<const Vec4> positions, const std::uint32_t* particles, std::uint32_t begin,
                  std::uint32_t end, float* x, float* y, float* z);
 

@@ -9,7 +9,7 @@ namespace weft {
 
 namespace {
 
-constexpr std::uint32_t min_buckets = 4;  // a run of three buckets must not meet itself around the table
+constexpr std::uint32_t min_buckets = 4;  // a run of three buckets must not overlap itself around the table
 
 std::uint32_t default_bucket_count(std::uint32_t particle_count) {
     return std::max(min_buckets, std::bit_ceil(2 * particle_count));
@@ -46,7 +46,7 @@ Cells HashGrid::cells(const Bounds& bounds, float distance, float shift) const {
     constexpr float cells_limit = 1048576.0f;  // 2^20
     Bounds box = bounds;
     if (!is_finite(box.lower) || !is_finite(box.upper)) {
-        // Some particle flew off; the others are still best sorted around the origin.
+        // A bound is not finite: the particles are then sorted around the origin.
         const float far = cells_limit * distance;
         box = {{-far, -far, -far}, {far, far, far}};
     }
@@ -71,8 +71,8 @@ void HashGrid::build_cubes(Parallel& parallel, std::span<const Vec4> positions, 
 
 // The table is cut into 2^part_bits parts of equally many buckets. Each block puts its particles in order of
 // part, keeping their order; then each part sorts its own entries, which it reads block by block. A part's
-// buckets, and so its slots, are its own: no two write the same memory, and the number of parts does not show
-// in the result.
+// buckets, and so its slots, are its own: no two write the same memory, and the number of parts does not
+// affect the result.
 void HashGrid::sort(Parallel& parallel, std::span<const Vec4> positions, CellShape shape) {
     // As many parts as threads: hashing makes them equal, and each reads every block's index.
     const std::uint32_t wanted =
@@ -107,15 +107,15 @@ void HashGrid::sort_part(std::span<const Vec4> positions, std::uint32_t part, st
     const std::uint32_t bucket_begin = part << (bucket_bits_ - part_bits);
     const std::uint32_t bucket_end = (part + 1) << (bucket_bits_ - part_bits);
 
-    std::uint32_t slot_begin = 0, slot_end = 0;  // entries of the parts before this one, and with it
+    std::uint32_t slot_begin = 0, slot_end = 0;  // number of entries before this part, and up to its end
     for (std::uint32_t block = 0; block < block_count(n); ++block) {
         const std::uint16_t* const starts = &part_starts_[block * (max_parts + 1) + part];
         slot_begin += starts[0];
         slot_end += starts[1];
     }
 
-    // ends[b] counts bucket b, then is where its next particle goes, and so in the end is where it ends. That
-    // is where bucket b + 1 starts, hence the shift by one; starts_[0] stays 0.
+    // ends[b] first counts bucket b, then is the slot of its next particle, and in the end that where it
+    // ends. Bucket b + 1 starts there, hence the shift by one; starts_[0] stays 0.
     std::uint32_t* const ends = starts_.data() + 1;
     const std::uint32_t* const buckets = entry_buckets_.data();
     const std::uint32_t* const entries = entry_particles_.data();

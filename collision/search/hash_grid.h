@@ -19,7 +19,7 @@ struct SlotRange {
     std::uint32_t begin, end;
 };
 
-/// By slot: which particle it is, and where.
+/// Particles and their positions, by slot.
 struct SortedParticles {
     const std::uint32_t* particles;
     const float *x, *y, *z;
@@ -33,7 +33,7 @@ struct SortedParticles {
 /// candidate and must be tested. Particles with a coordinate that is not finite are spread over all buckets.
 class HashGrid {
   public:
-    /// So many slots past the last one may be read; they hold NaN, which is close to nothing.
+    /// Number of slots past the last one that may be read; they hold NaN, which is close to nothing.
     static constexpr std::uint32_t padding = 64;
 
     explicit HashGrid(std::uint32_t particle_count);
@@ -68,17 +68,17 @@ class HashGrid {
         return {.ranges = {own_bucket(x, y, z)}, .count = 1};
     }
 
-    /// A run is three buckets; it is named by its first.
+    /// Number of buckets in a run, which is named by its first bucket.
     static constexpr std::uint32_t run_length = 3;
     [[nodiscard]] const Cells& cells() const noexcept { return cells_; }
-    /// Bucket b is the slots [starts()[b], starts()[b + 1]). Behind the table follow run_length buckets
-    /// without any, so that a run that wraps around can be read as far as the table goes.
+    /// Bucket b is the slots [starts()[b], starts()[b + 1]). Behind the table follow run_length empty
+    /// buckets, so that a run that wraps around can be read up to the end of the table.
     [[nodiscard]] const std::uint32_t* starts() const noexcept { return starts_.data(); }
 
     [[nodiscard]] SortedParticles sorted() const noexcept {
         return {particles_.data(), x_.data(), y_.data(), z_.data()};
     }
-    /// By slot.
+    /// Particles and coordinates, by slot.
     [[nodiscard]] const std::uint32_t* particles() const noexcept { return particles_.data(); }
     [[nodiscard]] const float* x() const noexcept { return x_.data(); }
     [[nodiscard]] const float* y() const noexcept { return y_.data(); }
@@ -99,7 +99,7 @@ class HashGrid {
     Cells cells_;
     std::uint32_t bucket_bits_;
     AlignedBuffer<std::uint32_t> starts_;
-    AlignedBuffer<std::uint32_t> entry_buckets_, entry_particles_;  // by block; in it by part, by particle
+    AlignedBuffer<std::uint32_t> entry_buckets_, entry_particles_;  // by block, part and particle
     AlignedBuffer<std::uint16_t> part_starts_;  // per block, where each part's entries start in it
     AlignedBuffer<std::uint32_t> particles_;    // by slot, as all below
     AlignedBuffer<float> x_, y_, z_;

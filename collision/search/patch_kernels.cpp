@@ -23,8 +23,8 @@ constexpr std::uint32_t parts = patch_size / part_lanes;
 HWY_INLINE Lanes3 load_part(const Patch& patch, std::uint32_t first) {
     return {load_lanes(patch.x + first), load_lanes(patch.y + first), load_lanes(patch.z + first)};
 }
-/// What is not finite, and what is not the cloth's, goes to infinity: far from all and, as the difference of
-/// two such is not a number, from one another.
+/// Particles that are not finite, and padding, go to infinity: far from all others and from one another, as
+/// the difference of two such positions is not a number.
 HWY_INLINE BoxLanes place_part(const Vec4* positions, const std::uint32_t* particles, std::uint32_t count,
                                Patch& patch, std::uint32_t first) {
     const Tag d;
@@ -63,7 +63,7 @@ Bounds place(std::span<const Vec4> positions, const std::uint32_t* particles, st
     return around(boxes);
 }
 
-/// Indices that passed a test, as far as there is room.
+/// Indices that passed a test, as many as there is room for.
 template <std::uint32_t capacity>
 struct Passed {
     std::uint32_t count = 0;
@@ -81,7 +81,7 @@ HWY_INLINE void append(Mask mask, std::uint32_t first, List& list) {
     list.count += kept.count();
 }
 
-/// 16 k + the lanes of those of `boxes` that are within the distance of `box`, for k = 0, 1, ..
+/// Appends first_index + k for those of the sixteen `boxes` that are within the distance of `box`.
 template <class List>
 HWY_INLINE void append_near(const BoxLanes& box, const Boxes& boxes, std::uint32_t first_index,
                             float distance, List& list) {
@@ -94,7 +94,7 @@ using NearPatches = Passed<256>;
 using NearParticles = Passed<768>;
 constexpr std::uint32_t patch_stride = sizeof(Patch) / sizeof(float);
 
-/// False if there are too many.
+/// Finds the blocks within the distance of `box`. Returns false if there are too many.
 HWY_INLINE bool find_near_blocks(const PatchesView& view, const BoxLanes& box, float distance,
                                  NearBlocks& blocks) {
     NearBlocks regions;  // of sixteen blocks
@@ -110,15 +110,15 @@ HWY_INLINE bool find_near_blocks(const PatchesView& view, const BoxLanes& box, f
     return true;
 }
 
-/// A patch that looks for its hits.
+/// The patch whose hits are searched.
 struct Seeker {
     std::uint32_t patch;
     BoxLanes box;
     float distance;
 };
 
-/// The particles within the distance of the seeker's box, those of its own patch among them. Each by where
-/// its x lies among the values of all patches. False if there are too many.
+/// Finds the particles within the distance of the seeker's box, those of its own patch among them. Their
+/// indices are those of their x among the values of all patches. Returns false if there are too many.
 HWY_INLINE bool find_near(const PatchesView& view, const Seeker& seeker, const NearBlocks& near_blocks,
                           NearParticles& particles) {
     NearPatches near;
@@ -139,7 +139,7 @@ HWY_INLINE bool find_near(const PatchesView& view, const Seeker& seeker, const N
     return true;
 }
 
-/// Bit k of `bits`: particle k of the patch is closer than the distance to the point.
+/// Sets bit k of `bits` if particle k of the patch is closer to the point than the distance.
 HWY_INLINE void store_close(const Lanes3 (&patch)[parts], const Lanes3& point, float distance_squared,
                             std::uint16_t& bits) {
     const Tag d;
@@ -155,13 +155,13 @@ HWY_INLINE void store_close(const Lanes3 (&patch)[parts], const Lanes3& point, f
     }
 }
 
-/// Particles near a patch, and which of the patch they are close to.
+/// Particles near a patch, and bits for the patch's particles to which they are close.
 struct Company {
     std::uint32_t count = 0;
     std::array<std::uint32_t, NearParticles().index.size()> particle, bits;
 };
 
-/// Of the near ones, those that are close to any. Few are: so without a branch on the outcome.
+/// Finds the near particles that are close to any of the patch. Few are: no branch depends on it.
 HWY_INLINE void find_company(const PatchesView& view, const Seeker& seeker, const NearParticles& near,
                              Company& company) {
     Lanes3 patch[parts];
@@ -195,7 +195,7 @@ std::uint32_t slot_of(std::uint32_t particle) {
     return particle / patch_stride * patch_size + particle % patch_stride;
 }
 
-/// Adds the hits of one patch; false, and nothing added, if it is left out.
+/// Adds the hits of one patch. Returns false, and adds nothing, if the patch is left out.
 HWY_INLINE bool add_hits_of_patch(const PatchesView& view, const Seeker& seeker,
                                   const NearBlocks& near_blocks, BlockHits& hits) {
     NearParticles near;

@@ -60,7 +60,7 @@ void cut(std::span<std::uint32_t> particles, std::span<const Vec4> positions) {
     cut(particles.subspan(half), positions);
 }
 
-/// Puts whole pieces of so many in order of their first particles. What is left over stays last.
+/// Sorts pieces of `size` particles by their lowest particles. An incomplete piece stays last.
 void sort_pieces(std::span<std::uint32_t> particles, std::size_t size) {
     std::vector<std::pair<std::uint32_t, std::size_t>> pieces;  // first particle, where the piece begins
     for (std::size_t at = 0; at + size <= particles.size(); at += size)
@@ -72,8 +72,8 @@ void sort_pieces(std::span<std::uint32_t> particles, std::size_t size) {
                     particles.begin() + static_cast<std::ptrdiff_t>(k * size));
 }
 
-/// As far as blocks and regions stay what they are, the order of memory: a thread then meets particles that
-/// it moved.
+/// Sorts regions, and the blocks within each, in the order of memory: a thread then reads particles that it
+/// moved.
 void follow_memory(std::span<std::uint32_t> particles) {
     sort_pieces(particles, region_size);
     for (std::size_t at = 0; at < particles.size(); at += region_size)

@@ -1,6 +1,6 @@
 #pragma once
-// Patches: sixteen particles each that lie together at rest, and so mostly stay together, and the boxes that
-// they are in now. Where boxes are farther apart than a distance, so are all their particles.
+// Patches of sixteen particles that are close at rest, and so mostly stay close, and boxes around their
+// present positions. Particles in boxes farther apart than a distance are farther apart, too.
 
 #include <cstdint>
 #include <span>
@@ -17,19 +17,19 @@ namespace weft {
 /// Precondition: positions at rest are finite.
 void order_in_patches(std::span<std::uint32_t> particles, std::span<const Vec4> rest_positions);
 
-/// A cloth cut into patches, and sixteen patches, which again lie together, to each block of particles. Patch
-/// p is the slots [16 p, 16 p + 16). How well the cut fits the cloth as it lies now decides how long a search
-/// takes, and nothing else.
+/// A cloth cut into patches. Each block of particles has sixteen patches, which are close to one another.
+/// Patch p is the slots [16 p, 16 p + 16). How well the cut fits the cloth's present shape affects only the
+/// duration of a search.
 class Patches {
   public:
     /// Precondition: positions at rest are finite.
     explicit Patches(std::span<const Vec4> rest_positions);
 
-    /// Takes over where particles are now, and with them the boxes.
+    /// Updates the positions in all patches, and the boxes.
     void place(Parallel& parallel, std::span<const Vec4> positions);
 
     [[nodiscard]] PatchesView view() const noexcept;
-    /// Of all particles that are finite, as last placed.
+    /// The box around all finite particles, as last placed.
     [[nodiscard]] Bounds bounds() const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// What the loops read, held in registers.
+/// Data of the loops, kept in registers.
 struct Slots {
     const float *x, *y, *z;
     float distance_squared;
@@ -22,7 +22,7 @@ HWY_INLINE Slots slots_of(const SortedParticles& sorted, float distance_squared)
     return {sorted.x, sorted.y, sorted.z, distance_squared};
 }
 
-/// Most ranges hold few slots: a register of 16 lanes takes 8 of one and 8 of the next.
+/// Lanes per range. Most ranges hold few slots: a register of 16 lanes takes 8 of one and 8 of the next.
 constexpr std::uint32_t range_lanes = std::min(part_lanes, 8u);
 
 template <class D>
@@ -35,7 +35,7 @@ HWY_INLINE hn::Vec<D> load_of_two(D d, const float* values, std::uint32_t first,
     }
 }
 
-/// How many of the slots that follow `first` and those that follow `second`, range_lanes of each, are close.
+/// Number of close slots among range_lanes slots from `first` on and as many from `second` on.
 HWY_INLINE std::size_t count_close(const Slots& slots, const Lanes3& p, std::uint32_t first,
                                    std::uint32_t second) {
     const auto close_to = [&](std::uint32_t a, std::uint32_t b) {
@@ -47,9 +47,9 @@ HWY_INLINE std::size_t count_close(const Slots& slots, const Lanes3& p, std::uin
     return part_lanes == 16 ? close_to(first, second) : close_to(first, first) + close_to(second, second);
 }
 
-/// False if the ranges, among which that of the particle itself, surely hold no contact of it. So it is for
-/// most particles, and here they are told from the others, without a branch that depends on the outcome. What
-/// lanes cover past a range's end is at worst a false alarm.
+/// False if the ranges, of which one holds the particle itself, surely hold no contact of the particle. This
+/// is so for most particles; no branch depends on the outcome. Lanes past a range's end cause at worst a
+/// false alarm.
 template <std::uint32_t runs>
 HWY_INLINE bool may_have_company(const Slots& slots, std::uint32_t slot, const std::uint32_t (&begins)[runs],
                                  std::uint32_t longest) {
@@ -74,14 +74,14 @@ HWY_INLINE Lanes3 positions_at(const Slots& slots, std::uint32_t slot) {
     return {hn::LoadU(d, slots.x + slot), hn::LoadU(d, slots.y + slot), hn::LoadU(d, slots.z + slot)};
 }
 
-/// Which slots of a range are close to `slot`, itself left out; returns how many.
+/// Stores the particles of a range that are close to `slot`, except its own; returns their number.
 HWY_INLINE std::uint32_t close_in_range(const Slots& slots, const std::uint32_t* particles,
                                         std::uint32_t slot, SlotRange range, std::uint32_t* close) {
     const IndexTag d;
     const Lanes3 p = {set(slots.x[slot]), set(slots.y[slot]), set(slots.z[slot])};
     std::uint32_t count = 0;
     std::uint32_t s = range.begin;
-    do {  // at least once: whether a range is empty, nobody can foresee
+    do {  // at least once: a branch on empty ranges could not be predicted
         const auto is_close = hn::Lt(squared_length(positions_at(slots, s) - p), set(slots.distance_squared));
         const auto is_other = hn::Ne(indices_from(s), set_index(slot));
         const Kept kept(
@@ -93,7 +93,7 @@ HWY_INLINE std::uint32_t close_in_range(const Slots& slots, const std::uint32_t*
     return count;
 }
 
-/// Takes over what was found up to `end`, all of one slot; leaves over one with too many.
+/// Keeps the hits of one slot, which end at `end`; leaves over a slot with too many.
 HWY_INLINE void keep_hits(const std::uint32_t* particles, std::uint32_t slot, std::uint32_t end,
                           BlockHits& hits) {
     if (HWY_UNLIKELY(end - hits.count > BlockHits::per_slot)) {
@@ -105,7 +105,7 @@ HWY_INLINE void keep_hits(const std::uint32_t* particles, std::uint32_t slot, st
     hits.count = end;
 }
 
-/// The runs that each particle of a block looks through, named by their first buckets.
+/// The first buckets of the runs that each particle of a block searches.
 template <std::uint32_t runs>
 using BlockOfRuns = std::uint32_t[runs][block_size];
 
@@ -117,7 +117,7 @@ HWY_INLINE void store_runs(const Cells& cells, const Lanes3& p, std::uint32_t k,
     hn::Store(cube_bucket(cells, p), IndexTag(), &firsts[0][k]);
 }
 
-/// `runs` runs of `run_length` buckets each.
+/// Finds hits in `runs` runs of `run_length` buckets each.
 template <std::uint32_t runs, std::uint32_t run_length>
 HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const BlockRange& block,
                         const SlotFlags& wanted, BlockHits& hits) {
@@ -162,7 +162,7 @@ HWY_INLINE void hits_in(const HashGrid& grid, float distance_squared, const Bloc
     }
 }
 
-/// Long ranges are taken in parts: behind the room for all slots' hits there is some for one part's.
+/// Long ranges are searched in parts: `hits` has room for one part's hits behind that for all slots.
 void hits_in_ranges(const SortedParticles& sorted, float distance_squared, const BlockRange& block,
                     const SlotRanges& ranges, BlockHits& hits) {
     const Slots slots = slots_of(sorted, distance_squared);

@@ -14,14 +14,14 @@ constexpr float most_sweep_cells = 65533, most_columns = 253;
 constexpr std::uint32_t padding = HashGrid::padding;
 constexpr std::uint32_t not_finite = ~0u;  // no column has such bytes: sorted behind all others
 
-/// From a key to that of the same sweep cell in the nine columns, the own one first.
+/// Differences of keys to the same sweep cell in the nine columns, the own one first.
 constexpr std::array<std::uint32_t, SlotRanges::per_slot> offsets = [] {
     constexpr std::uint32_t a = 1u << columns_shift[0], b = 1u << columns_shift[1];
     return std::array<std::uint32_t, SlotRanges::per_slot>{0,     a,     b,         b + a, b - a,
                                                            0 - a, 0 - b, 0 - b - a, a - b};
 }();
 
-/// Moves on to the first slot whose key is not below `key`: mostly a step or two, since keys ascend.
+/// The first slot from `slot` on whose key is not below `key`: mostly a step or two, as keys ascend.
 std::uint32_t advance_to(std::span<const std::uint32_t> keys, std::uint32_t slot, std::uint32_t key) {
     constexpr std::uint32_t steps = 8;
     const auto end = static_cast<std::uint32_t>(keys.size());
@@ -52,8 +52,8 @@ std::uint32_t SweepGrid::key_of(const Vec4& p) const noexcept {
 }
 
 // Columns are wider than the distance by more than the rounding of a coordinate in 253 of them: two particles
-// closer than the distance are never two columns apart. Along the sweep the two cells more than the distance
-// takes are for where in its cell a particle is, and for rounding.
+// closer than the distance are never two columns apart. Along the sweep, two cells more than the distance
+// takes allow for a particle's place in its cell, and for rounding.
 void SweepGrid::choose_axes(const Bounds& bounds, float distance) {
     constexpr double margin = 1 + 1.0 / 8192;
     const auto extent_of = [](float lower, float upper) {
@@ -72,14 +72,14 @@ void SweepGrid::choose_axes(const Bounds& bounds, float distance) {
         axes_[k] = sides[k].second;
         axes_[k].per_metre = static_cast<float>(1 / width);
     }
-    constexpr double shortest = 1e-30;  // of a cloth that lies at one point
+    constexpr double shortest = 1e-30;  // extent of a cloth that lies at one point
     axes_[0].per_metre =
         static_cast<float>(static_cast<double>(most_sweep_cells) / std::max(sides[0].first, shortest));
     axes_[0].cells = most_sweep_cells;
     sweep_cells_ = static_cast<std::uint32_t>(std::min(2 + axes_[0].per_metre * distance, most_sweep_cells));
 }
 
-/// A stable counting sort by one byte; false, and nothing done, where all have the same.
+/// A stable counting sort by one byte. Returns false, and moves nothing, if all have the same byte.
 bool SweepGrid::sort_by(Parallel& parallel, std::uint32_t shift, const Entry* from, Entry* to) {
     const auto n = static_cast<std::uint32_t>(entries_.size());
     parallel.ranges(
@@ -136,7 +136,7 @@ void SweepGrid::build(Parallel& parallel, std::span<const Vec4> positions, const
     for (std::uint32_t slot = n; slot < n + padding; ++slot) x_[slot] = y_[slot] = z_[slot] = nowhere;
 }
 
-// Keys ascend from slot to slot, and so do the ends of the ranges: each goes on from where the last one was.
+// Keys ascend from slot to slot, and so do the ends of the ranges: each search continues from the last.
 void SweepGrid::find_ranges(const BlockRange& slots, SlotRanges& ranges) const {
     const std::span<const std::uint32_t> keys = keys_.span().first(finite_);
     const auto first_key = [&](std::uint32_t key) { return key - std::min(sweep_cells_, key & mask); };

@@ -1,4 +1,4 @@
-// Shapes that have a space of their own, in registers. Included as engine/simd/lanes-inl.h is.
+// Shapes with a local frame, in registers. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_SHAPES_BODY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_SHAPES_BODY_LANES_INL_H
@@ -12,18 +12,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Of points in a shape's own space, lane by lane.
+/// The surface nearest to points in a shape's local frame, lane by lane.
 struct OwnSurface {
     Lanes distance;  // below 0 inside [m]
     Lanes3 normal;   // of unit length, outward
-    Lanes3 growth;   // how fast the shape grows there [m/s]
+    Lanes3 growth;   // velocity of the surface in the frame [m/s]
 };
 
-/// Own: the shape as its own space has it, which answers
-///   convex()             whether what draws away from it does not come back
-///   near(q, thickness)   whether a point may be nearer than that; it may say so too often
-///   nearest(q, asked)    the surface for those that are asked for
-///   carried(q)           where a point at the substep's start is if the shape takes it along while it grows
+/// Own: the shape in its local frame. Its functions:
+///   convex()             whether the shape is convex
+///   near(q, thickness)   whether a point may be nearer than that; conservative
+///   nearest(q, asked)    the nearest surface, in the lanes that are asked for
+///   carried(q)           where a start's point is at the end, moved along with the shape as it grows
 template <class Own>
 struct BodyLanes {
     static constexpr bool is_swept = Own::is_swept, has_faces = true;
@@ -69,7 +69,7 @@ struct OwnBox {
     [[nodiscard]] HWY_INLINE Lanes3 beyond_faces(const Lanes3& q) const {
         return Lanes3{hn::Abs(q.x), hn::Abs(q.y), hn::Abs(q.z)} - set3(box.half);
     }
-    /// Of a point the fraction of the way from the centre to the faces, at most 1.
+    /// A point's coordinates over the half extents, clamped to [-1, 1].
     [[nodiscard]] HWY_INLINE Lanes3 outward(const Lanes3& q, const Vector3& half) const {
         const auto of = [](Lanes along, float face) HWY_ATTR {
             return hn::Min(hn::Max(hn::Mul(along, set(1 / face)), set(-1)), set(1));
@@ -86,7 +86,7 @@ struct OwnBox {
         const Lanes3 e = beyond_faces(q);
         return hn::Lt(hn::Max(e.x, hn::Max(e.y, e.z)), thickness);
     }
-    /// Outside from the nearest point, inside from the nearest face.
+    /// Outside, distance and normal refer to the nearest point; inside, to the nearest face.
     template <class Mask>
     [[nodiscard]] HWY_INLINE OwnSurface nearest(const Lanes3& q, Mask) const {
         const Lanes zero = set(0), one = set(1);

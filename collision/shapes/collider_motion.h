@@ -1,5 +1,5 @@
 #pragma once
-// A collider over one substep, and what a cloth brings to its contacts with it.
+// A collider's motion over one substep, and a cloth's properties in contact with it.
 
 #include <algorithm>
 #include <cstdint>
@@ -15,18 +15,18 @@ namespace weft {
 
 class HeldShape;
 
-/// One collider over one substep: where it was at its start and is at its end.
+/// One collider over one substep, with its state at the start and at the end.
 struct ColliderMotion {
     Collider start, end;  // the same alternative in both
-    /// No point of its axis, and no surface that grows or is a plane, moves what it meets faster than this,
-    /// however far the collider jumps [m/s].
+    /// Speed limit of its axis, of a growing surface and of a plane: particles that they meet are moved no
+    /// faster, however far the collider jumps [m/s].
     float fastest = std::numeric_limits<float>::max();
-    const HeldShape* held = nullptr;  ///< of a PlacedShape
-    float rate = 0;          ///< steps of the host a second, where what is held deforms in this one [1/s]
-    std::int32_t body = -1;  ///< the number of the body that carries it; -1: none
-    /// Of the body at the end [m], [m/s], [rad/s]: a ball's ends have no spin.
+    const HeldShape* held = nullptr;  ///< shape of a PlacedShape; else null
+    float rate = 0;                   ///< host steps a second, if `held` deforms in this step; else 0 [1/s]
+    std::int32_t body = -1;           ///< index of the body that it is attached to; -1: none
+    /// The body's motion at the end [m], [m/s], [rad/s]. Spin cannot be derived from a ball's two ends.
     Vector3 centre = Vector3::Zero(), velocity = Vector3::Zero(), spin = Vector3::Zero();
-    /// Around all that it fills on its way, with its own thickness: what is far off is told by this alone.
+    /// Swept bounding box, with the collider's own thickness; this alone rejects distant cloth.
     Bounds filled = everywhere;
 };
 
@@ -37,17 +37,17 @@ struct ColliderMotion {
 /// normals blended and normalised; layers are `to`'s. Precondition: the same alternative in both.
 [[nodiscard]] Collider blend(const Collider& from, const Collider& to, float t);
 
-/// What a cloth brings to its contacts with colliders. How the two go together, collider.h says.
+/// A cloth's properties in contact with colliders. collider.h says how they combine with a collider's.
 struct ClothSide {
-    /// Each particle keeps such a distance [m], and has such a friction.
+    /// Contact distance [m] and friction coefficient of each particle.
     std::span<const float> thickness, friction;
-    float most_thickness = 0;  ///< no particle's is more [m]
+    float most_thickness = 0;  ///< upper bound of `thickness` [m]
     float restitution = 0;
-    std::uint32_t mask = ~0u;  ///< of the layers that it meets
-    float least_bounce = 0;    ///< what comes slower does not bounce [m/s]
+    std::uint32_t mask = ~0u;  ///< collider layers that it meets
+    float least_bounce = 0;    ///< slower impacts do not bounce [m/s]
 
     [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
-    /// The same of some of its particles.
+    /// The properties of `size` particles from `begin` on.
     [[nodiscard]] ClothSide part(std::uint32_t begin, std::uint32_t size) const {
         ClothSide part = *this;
         part.thickness = thickness.subspan(begin, size);

@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// A vector or a number of each lane, one by one.
+/// Lanes in memory, for work lane by lane.
 struct LaneByLane {
     alignas(64) float x[group_lanes] = {}, y[group_lanes] = {}, z[group_lanes] = {}, w[group_lanes] = {};
 
@@ -43,35 +43,35 @@ struct LaneByLane {
     }
 };
 
-/// Squared distances that lanes are to be below which are asked for.
+/// Upper bounds of the squared distances: sight^2 in lanes that are asked for; -1, met by none, in others.
 template <class Mask>
 HWY_INLINE Lanes within(Mask asked, float sight) {
     return hn::IfThenElse(asked, set(sight * sight), set(-1));
 }
 
-/// How a point is seen from the triangle nearest to it.
+/// Normal and signed distance of a point's nearest surface.
 struct Seen {
     Vector3 normal;
     float distance;
 };
-/// `front`: the way out there, of any length. Where the point is all but on the surface rounding says nothing
-/// of the way to it.
+/// `front`: the outward direction, of any length. It becomes the normal of a point that is almost on the
+/// surface, where rounding decides the direction of the gap.
 inline Seen seen_from(const Vector3& gap, const Vector3& front, bool is_solid, const Vector3& q) {
     const float length = gap.norm();
     const bool is_inside = is_solid && gap.dot(front) < 0;
     const bool is_on = length <= 4e-6f * (1e-3f + q.cwiseAbs().maxCoeff());
     Vector3 normal = is_on ? front.stableNormalized() : Vector3((is_inside ? -1 : 1) / length * gap);
-    if (normal.isZero(0)) normal = Vector3::UnitY();  // of triangles without area
+    if (normal.isZero(0)) normal = Vector3::UnitY();  // triangles without area have no front
     return {normal, is_inside ? -length : length};
 }
 
-/// How far a point sees [m], and whether it sees the surface from inside however deep it is.
+/// Search distance [m], and whether a point inside finds the surface at any depth.
 struct Sight {
     float far;
     bool deep = true;
 };
 
-/// Of those that are lost.
+/// HeldShape::may_be_deeper() of the lanes that are lost.
 template <class Mask>
 inline Mask may_be_deeper(const HeldShape& shape, const Lanes3& q, Mask lost, float sight) {
     const LaneByLane points(q, hn::IfThenElse(lost, set(1), set(0)));
@@ -81,7 +81,7 @@ inline Mask may_be_deeper(const HeldShape& shape, const Lanes3& q, Mask lost, fl
     return hn::Gt(load_lanes(answers.w), set(0));
 }
 
-/// What is not found within sight is that far away.
+/// A surface that is not found within sight counts as that far away.
 template <class Mask>
 inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, const NearLeaves* leaves,
                              const Lanes3& q, Mask asked, const Sight& sight_of, float rate) {
@@ -89,7 +89,7 @@ inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, c
     const float sight = sight_of.far;
     NearestTriangle best{within(asked, sight)};
     if (leaves == nullptr || !leaves->search(tree, q, asked, sight, best)) search(tree, q, best);
-    if (tree.is_closed() && sight_of.deep) {  // what is deeper inside than it sees
+    if (tree.is_closed() && sight_of.deep) {  // points deeper inside than the sight
         const Lanes in_box = squared_distance(q, tree.nodes()[0]);
         auto lost = hn::And(asked, hn::And(hn::Lt(best.number, set(0)), hn::Eq(in_box, set(0))));
         if (!hn::AllFalse(d, lost)) lost = hn::And(lost, may_be_deeper(shape, q, lost, sight));
@@ -150,8 +150,8 @@ inline void search(const HeldHeights& field, const CellRange& range, const Lanes
             }
 }
 
-/// The triangle above or below the point, if there is one: its front, and how far below its plane the point
-/// is.
+/// The triangle above or below the point, if there is one: its normal, and the point's distance from its
+/// plane, negative below.
 inline bool find_column(const HeldHeights& field, const Vector3& q, Seen& seen) {
     const float column = q.x() / field.spacing, row = q.z() / field.spacing;
     if (!(column >= 0 && row >= 0 && column <= static_cast<float>(field.columns - 1) &&
@@ -211,7 +211,7 @@ inline OwnSurface nearest_in(const HeldHeights& field, const Lanes3& q, Mask ask
     return {surface.w, xyz(surface), zero3()};
 }
 
-/// Trilinear, and its gradient. Beyond the cells it is the distance at their border and from there.
+/// Trilinear distance, and the direction of its gradient; beyond the cells, plus the way to them.
 inline Seen distance_at(const HeldDistances& field, const Vector3& q) {
     std::array<std::size_t, 3> first{};
     Vector3 part;
@@ -265,12 +265,12 @@ struct OwnHeld {
     static constexpr bool is_swept = true;
     const HeldShape& shape;
     Sight sight;
-    float rate;                          // steps of the host a second, if the shape deforms
-    const NearLeaves* leaves = nullptr;  // of a mesh, if they are known
+    float rate;                          // host steps a second, if the shape deforms; else 0
+    const NearLeaves* leaves = nullptr;  // leaves near the points; null: search the tree
 
     [[nodiscard]] bool convex() const { return shape.is_convex(); }
     [[nodiscard]] HWY_INLINE Lanes3 carried(const Lanes3& q) const { return q; }
-    /// Where a path ends that may have met the shape, too.
+    /// Whether a point is within sight of the bounding box; the sight includes the length of swept paths.
     [[nodiscard]] HWY_INLINE auto near(const Lanes3& q, Lanes) const {
         const auto beyond = [](Lanes at, float lower, float upper) HWY_ATTR {
             return hn::Max(hn::Sub(set(lower), at), hn::Sub(at, set(upper)));

@@ -54,7 +54,7 @@ Result<HeldShape::Data> make_data(const HeightField& field) {
         HeldHeights{field.rows, field.columns, field.spacing, {field.heights.begin(), field.heights.end()}});
 }
 
-/// At the corners of cells that go `margin` beyond a box.
+/// A grid of cells, without distances yet, that extends `margin` cells beyond a box.
 HeldDistances cells_about(const Eigen::AlignedBox3f& box, float cell, float margin) {
     HeldDistances made{box.min() - Vector3::Constant(margin * cell), cell, {}, {}};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -116,7 +116,7 @@ bool is_convex_body(const TriangleTree& tree) {
     return true;
 }
 
-/// Area of triangles, and its spread about its middle.
+/// Centroid and covariance of a surface, weighted by area.
 struct Spread {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     Eigen::Matrix3d about_middle = Eigen::Matrix3d::Zero();
@@ -155,19 +155,19 @@ Result<HeldShape> HeldShape::make(const Shape& shape) {
     return made;
 }
 
-/// Along the axis about which the surface is spread least, through its middle.
+/// The rod runs through the surface's centroid, along the axis of its greatest variance.
 void HeldShape::find_rod() {
     const auto* const tree = std::get_if<TriangleTree>(&data_);
     if (tree == nullptr || !tree->is_closed()) return;
     const Spread spread = spread_of(*tree);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread.about_middle);
     const Vector3 middle = spread.middle.cast<float>();
-    const Matrix3 across = axes.eigenvectors().cast<float>();  // along it last
+    const Matrix3 across = axes.eigenvectors().cast<float>();  // the rod's axis is the last
     Eigen::AlignedBox3f box;
     for (const Vec3& vertex : tree->vertices())
         box.extend(Vector3(across.transpose() * (to_vector(vertex) - middle)));
     constexpr std::size_t points = 9;
-    constexpr float from_ends = 0.1f;  // of the length: so far from the ends distances are the sides'
+    constexpr float from_ends = 0.1f;  // of the length: there distances are to the sides, not to the ends
     std::array<Vec3, points> along;
     std::array<Vec4, points> surfaces;
     for (std::size_t k = 0; k < points; ++k) {
@@ -194,10 +194,10 @@ void HeldShape::find_coarse() {
     coarse_ = std::move(coarse);
 }
 
-// Nowhere is a distance less than that at a corner, less the way there.
+// The distance at q is at least that at a corner less the way from the corner to q.
 bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
     if (outside_.known()) return !outside_.are_outside(q);
-    if (coarse_.distances.empty()) return true;  // they are being made
+    if (coarse_.distances.empty()) return true;  // they are still being computed
     std::array<std::size_t, 3> first{};
     for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);
@@ -271,14 +271,14 @@ void HeldShape::find_box() {
     } else if (const auto* const ground = std::get_if<HeldHeights>(&data_)) {
         const auto [least, most] = std::ranges::minmax(ground->heights);
         const Vector3 far = ground->vertex(ground->rows - 1, ground->columns - 1);
-        // Solid however far down.
+        // The ground is solid at any depth.
         box_ = {Vector3(0, std::min(least, -farthest), 0), Vector3(far.x(), most, far.z())};
     } else {
         const auto& field = std::get<HeldDistances>(data_);
         const Vector3 cells(static_cast<float>(field.corners[0] - 1),
                             static_cast<float>(field.corners[1] - 1),
                             static_cast<float>(field.corners[2] - 1));
-        // All that is solid lies a cell and more within.
+        // The solid lies at least a cell within the grid.
         const Vector3 margin = Vector3::Constant(field.cell);
         box_ = {field.origin + margin, field.origin + field.cell * cells - margin};
     }

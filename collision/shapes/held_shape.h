@@ -25,7 +25,7 @@ struct HeldHeights {
         return {static_cast<float>(column) * spacing, heights[std::size_t{row} * columns + column],
                 static_cast<float>(row) * spacing};
     }
-    /// The two triangles of a cell, front up: 0 along its row, 1 along its column.
+    /// One of a cell's two triangles, front up: half 0 lies along its row, 1 along its column.
     [[nodiscard]] std::array<Vector3, 3> triangle(std::uint32_t row, std::uint32_t column, int half) const {
         const Vector3 a = vertex(row, column), d = vertex(row + 1, column + 1);
         if (half == 0) return {a, d, vertex(row, column + 1)};
@@ -45,52 +45,53 @@ struct HeldDistances {
     }
 };
 
-/// What is round inside a body: its axis, in the body's own space, and balls about it. Of a long body what is
-/// left once its sides are taken off; a ball if it is as long as it is wide.
+/// A capsule inside a body, in the body's local frame: its axis and radius. It runs along a long body; in a
+/// body that is as long as wide it is a ball.
 struct InnerRod {
     Vector3 a, b;  ///< [m]
     float radius;  ///< [m]
-    float width;   ///< half of what the body measures across at most [m]
+    float width;   ///< greatest half width of the body across the axis [m]
 };
 
 class HeldShape {
   public:
-    /// Error: a value outside its range in shapes.h, or a shape that is not what it says.
+    /// Error: a value outside its range in shapes.h, or a mesh or hull that breaks its conditions there.
     [[nodiscard]] static Result<HeldShape> make(const Shape& shape);
-    /// See TriangleTree::deform. Error: no triangle mesh. `step`: the next one, in which it moves so.
+    /// See TriangleTree::deform. `step`: the next step, over which it moves. Errors: no triangle mesh,
+    /// invalid vertices.
     Result<void> deform(std::span<const Vec3> vertices, std::uint64_t step);
 
     using Data = std::variant<TriangleTree, HeldHeights, HeldDistances>;
     [[nodiscard]] const Data& data() const noexcept { return data_; }
     [[nodiscard]] const Eigen::AlignedBox3f& box() const noexcept { return box_; }
     [[nodiscard]] bool is_convex() const noexcept { return convex_; }
-    /// A convex body whose edges part cloth: a hull, or a closed mesh that has not been deformed, of at most
-    /// so many corners.
+    /// Most corners of an edged body: a convex body whose edges can part cloth, either a hull or a closed
+    /// mesh that has not been deformed.
     static constexpr std::size_t most_edged_corners = 32;
     [[nodiscard]] bool is_edged() const noexcept { return is_edged_ && original_.empty(); }
-    /// Of a closed mesh that has not been deformed, if there is one; else null.
+    /// The capsule inside a closed mesh that has not been deformed; null if there is none.
     [[nodiscard]] const InnerRod* rod() const noexcept {
         return rod_ && original_.empty() ? &*rod_ : nullptr;
     }
-    /// Whoever passes it is inside, however deep.
+    /// Whether the shape has no far side: a particle that has passed the surface is inside, at any depth.
     [[nodiscard]] bool is_ground() const noexcept { return std::holds_alternative<HeldHeights>(data_); }
-    /// False only where the point of a closed mesh is not farther inside than that: by distances at the
-    /// corners of coarse cells or, once the mesh has been deformed, by cells that are outside.
+    /// Whether point q of a closed mesh may lie deeper inside than `than`; never wrongly false. Distances at
+    /// the corners of coarse cells decide or, for a deformed mesh, cells known to be outside.
     [[nodiscard]] bool may_be_deeper(const Vector3& q, float than) const;
     [[nodiscard]] bool deforms_in(std::uint64_t step) const noexcept { return deforms_in_ == step; }
 
-    /// What deforming has changed, to be hashed, kept and put back: nothing of a shape that has not been
-    /// deformed.
+    /// The state of a deformation, to be hashed, saved and restored; empty for a shape that is not deformed.
     struct Deformation {
         std::span<const Vec3> vertices, displacements;
-        std::uint64_t step = 0;  ///< in which they move by these
+        std::uint64_t step = 0;  ///< the step over which they move by `displacements`
     };
     [[nodiscard]] Deformation deformation() const noexcept;
-    /// How many vertices can deform.
+    /// Number of vertices that can deform.
     [[nodiscard]] std::size_t deformable() const noexcept;
-    /// Room for as many as can deform, to be filled and put back: then nothing can fail. May throw.
+    /// Reserves the memory of put_back(), which then cannot fail. May throw.
     void prepare_deformation();
-    /// Nothing: as it was made. Precondition: prepared, and vertices that deform() would take.
+    /// Restores a deformation; an empty one restores the original shape. Precondition: prepare_deformation()
+    /// has run, and deform() would accept the vertices.
     void put_back(const Deformation& deformation);
     [[nodiscard]] ShapeInfo info() const;
 
@@ -101,16 +102,17 @@ class HeldShape {
     void find_rod();
     Data data_;
     Eigen::AlignedBox3f box_;
-    HeldDistances coarse_{};      // of a closed mesh
-    OutsideCells outside_;        // likewise, where it has been deformed
-    std::vector<Vec3> original_;  // vertices, once it has been deformed
+    HeldDistances coarse_{};      // distances of a closed mesh
+    OutsideCells outside_;        // cells of a closed mesh that has been deformed
+    std::vector<Vec3> original_;  // vertices before the first deformation; empty: none
     std::optional<InnerRod> rod_;
     bool convex_, is_edged_ = false;
     std::uint64_t deforms_in_ = 0;  // 0: none
 };
 
-/// For each point of the shape's own space the outward normal where its surface is nearest, and in w the
-/// distance, below 0 inside; `sight` where it is farther outside than that. Precondition: as many surfaces.
+/// Finds for each point, in the shape's local frame, the outward normal at its nearest surface point and in w
+/// the signed distance, negative inside. w is `sight` if the surface is farther. Precondition: as many
+/// surfaces as points.
 void find_surfaces(const HeldShape& shape, std::span<const Vec3> points, float sight,
                    std::span<Vec4> surfaces);
 

@@ -16,14 +16,14 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 constexpr std::size_t most_points = 1u << 16;
 
-/// Grows by a point at a time: faces that see it go, and their outline is joined to it (the beneath-beyond
-/// method; Kallay 1981).
+/// A hull that grows by a point at a time: faces visible from it are removed, and their outline is joined to
+/// it (the beneath-beyond method; Kallay 1981).
 class Hull {
   public:
     Hull(std::span<const Vec3> points, double tolerance) : tolerance_(tolerance) {
         for (const Vec3& p : points) points_.push_back(to_vector(p).cast<double>());
     }
-    /// False where all lie within the tolerance of a plane.
+    /// Makes the first tetrahedron. False if all points lie within the tolerance of a plane.
     [[nodiscard]] bool begin() {
         const auto farthest_by = [&](const auto& measure) {
             std::uint32_t best = 0;

@@ -10,7 +10,7 @@
 namespace weft {
 
 struct HullMesh {
-    std::vector<Vec3> vertices;  ///< those of the points that are corners
+    std::vector<Vec3> vertices;  ///< the input points that are corners
     std::vector<Corners> triangles;
 };
 

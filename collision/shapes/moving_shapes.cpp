@@ -22,7 +22,7 @@ float limited(float speed, const Pace& pace) {
     return std::clamp(speed, -pace.fastest, pace.fastest);
 }
 
-/// The least turn that takes one direction to another; neither need have a length.
+/// The least rotation from one direction to another; none if either has no length.
 Matrix3 turn_between(const Vector3& from, const Vector3& to) {
     const float lengths = std::sqrt(from.squaredNorm() * to.squaredNorm());
     if (!(lengths > 0 && lengths < std::numeric_limits<float>::infinity())) return Matrix3::Identity();
@@ -37,7 +37,7 @@ Vector3 middle_of(const Vec3& a, const Vec3& b) {
     return 0.5f * (to_vector(a) + to_vector(b));
 }
 
-/// One that is faster than anything may move what it meets has jumped.
+/// `way`, or minus infinity beyond the speed limit, where the shape has jumped.
 float unless_jumped(float way, const Pace& pace) {
     return way > pace.fastest * pace.h ? -std::numeric_limits<float>::infinity() : way;
 }
@@ -46,9 +46,9 @@ Meeting meeting_of(const Sweeping& sweep, const BlockPaths& paths) {
     return {sweep.thin, sweep.way + paths.longest};
 }
 
-// Whether a shape is clear of all that lies in the bounds, by more than `reach`.
+// are_clear(): whether a shape is farther than `reach` from everything within the bounds.
 
-/// All the way: its ends go straight.
+/// Tests the whole sweep: both ends of the axis move along straight lines.
 bool are_clear(const Capsule& start, const Capsule& end, float reach, const Bounds& bounds) {
     const float far = std::max(start.radius, end.radius) + reach;
     const auto apart = [far](const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1,
@@ -67,7 +67,7 @@ bool are_clear(const UnitPlane& plane, float reach, const Bounds& bounds) {
     return plane.normal.dot(nearest) - plane.offset > reach;
 }
 
-/// Where a space stands.
+/// Position and orientation of a local frame.
 struct Pose {
     Vector3 origin;
     Matrix3 to_own;
@@ -76,7 +76,7 @@ struct Pose {
         : origin(to_vector(position)), to_own(unit(rotation).toRotationMatrix().transpose()) {}
 };
 
-/// The box, in a space of its own, around one in the World.
+/// The bounding box, in a local frame, of a box in the World.
 Eigen::AlignedBox3f seen_from(const Pose& pose, const Bounds& bounds) {
     const Vector3 lower = to_vector(bounds.lower), upper = to_vector(bounds.upper);
     const Vector3 middle = pose.to_own * (0.5f * (lower + upper) - pose.origin);
@@ -89,12 +89,12 @@ bool are_apart(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b, float
            (a.max().array() + reach < b.min().array()).any();
 }
 
-/// What a shape in a space of its own fills there at most.
+/// Bounding boxes of a shape in its local frame.
 struct Filling {
     Eigen::AlignedBox3f at_start, at_end;
 };
 
-/// As the shape sees it a path goes straight from where it begins, seen at the start, to its end.
+/// In the shape's moving frame a path is straight, from its start in the frame at the start to its end.
 std::optional<Meeting> may_meet(const Pose& start, const Pose& end, const Filling& filling,
                                 const Sweeping& sweep, const Reach& reach, const BlockPaths& paths) {
     const Eigen::AlignedBox3f ends = seen_from(end, paths.ends);
@@ -106,7 +106,7 @@ std::optional<Meeting> may_meet(const Pose& start, const Pose& end, const Fillin
     return meeting_of(sweep, paths);
 }
 
-/// How far what is within `radius` of the origin goes at most while the space moves.
+/// Greatest displacement, by the frame's motion, of points within `radius` of its origin.
 float way_of_space(const Vec3& from, const Vec3& to, const Rotation& start, const Rotation& end,
                    float radius) {
     return way_of(from, to) + radius * unit(start).angularDistance(unit(end));
@@ -116,7 +116,7 @@ MovingSpace moving_space(const Vec3& start, const Rotation& start_rotation, cons
                          const Rotation& end_rotation, const Pace& pace) {
     const Pose from(start, start_rotation), to(end, end_rotation);
     const Matrix3 from_own = to.to_own.transpose();
-    // One that does not turn has no spin, not even by rounding.
+    // A frame that does not turn must get no spin from rounding.
     const bool turns = from.to_own != to.to_own;
     const Matrix3 back = turns ? Matrix3(from.to_own.transpose() * to.to_own) : Matrix3::Identity();
     return {.origin = to.origin,
@@ -134,12 +134,12 @@ Eigen::AlignedBox3f filled(const Box& box) {
     return {-half, half};
 }
 
-/// Of the ball about the origin that holds it.
+/// Radius of the ball about the origin that contains the box.
 float radius_of(const Eigen::AlignedBox3f& box) {
     return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).norm();
 }
 
-/// Far from a ball about where it turns.
+/// Tests the ball about the centre of rotation, which contains the shape at any orientation.
 bool are_clear(const Vec3& start, const Vec3& end, float radius, const Reach& reach,
                const BlockPaths& paths) {
     return are_clear(Capsule{start, start, radius}, Capsule{end, end, radius}, reach.all(),
@@ -150,7 +150,7 @@ Capsule widest(const TaperedCapsule& shape) {
     return {shape.a, shape.b, std::max(shape.radius_a, shape.radius_b)};
 }
 
-/// Around two capsules and what is between them, by `thickness` and more than rounding.
+/// Bounding box of a capsule's sweep, grown by `thickness` and by more than rounding.
 Bounds around(const Capsule& start, const Capsule& end, float thickness) {
     Eigen::AlignedBox3f box(to_vector(start.a));
     for (const Vec3& point : {start.b, end.a, end.b}) box.extend(to_vector(point));
@@ -159,7 +159,7 @@ Bounds around(const Capsule& start, const Capsule& end, float thickness) {
     return grown({to_vec3(box.min()), to_vec3(box.max())}, 1.001f * margin);
 }
 
-// There is one of these for each kind of shape; see filled_by().
+// filled(): the swept bounding box, for each kind of shape; see filled_by().
 Bounds filled(const Capsule& start, const Capsule& end, float thickness) {
     return around(start, end, thickness);
 }
@@ -200,7 +200,7 @@ Eigen::Quaternionf unit(const Rotation& rotation) {
     return Eigen::Quaternionf(rotation.w, rotation.x, rotation.y, rotation.z).normalized();
 }
 
-/// A particle that moves less against a capsule ends on the side on which it came, within 30 degrees.
+/// A particle that moves by less than `thin` against a capsule ends within 30 degrees of where it entered.
 Sweeping sweeping(const Capsule& start, const Capsule& end, const Pace& pace, float thickness) {
     const float way =
         std::max(way_of(start.a, end.a), way_of(start.b, end.b)) + std::abs(end.radius - start.radius);
@@ -217,7 +217,7 @@ Sweeping sweeping(const TaperedCapsule& start, const TaperedCapsule& end, const 
             .travel = middle_of(end.a, end.b) - middle_of(start.a, start.b)};
 }
 
-/// Whoever passes it is inside.
+/// A plane has no far side: a particle that has passed it is inside, and no path needs a sweep.
 Sweeping sweeping(const Plane&, const Plane&, const Pace&, float) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     return {.thin = infinity, .way = -infinity, .travel = Vector3::Zero()};
@@ -232,8 +232,8 @@ Sweeping sweeping(const Box& start, const Box& end, const Pace& pace, float thic
             .travel = to_vector(end.center) - to_vector(start.center)};
 }
 
-// Where paths are longer than a quarter of the thickness they are looked at: a mesh may be as thin as
-// nothing. Ground has no other side.
+// Paths longer than half the thickness are swept, because a mesh may have no thickness of its own. Ground has
+// no far side.
 Sweeping sweeping(const HeldInstance& start, const HeldInstance& end, const Pace& pace, float thickness) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const PlacedShape &from = start.place, &to = end.place;
@@ -291,7 +291,7 @@ MovingCapsule moving(const Capsule& start, const Capsule& end, const Pace& pace)
     const Vector3 axis = to_vector(end.b) - to_vector(end.a);
     const Vector3 start_axis = to_vector(start.b) - to_vector(start.a);
     const Vector3 velocity_a = velocity(start.a, end.a, pace), velocity_b = velocity(start.b, end.b, pace);
-    // Shorter than rounding of its radius: the inverse of its square may overflow.
+    // An axis shorter than rounding of its radius counts as none: the inverse of its square may overflow.
     const auto per_square = [](const Vector3& v, float radius) {
         const float squared = v.squaredNorm();
         return squared > 1e-12f * radius * radius ? 1 / squared : 0;
@@ -313,8 +313,8 @@ MovingCapsule moving(const Capsule& start, const Capsule& end, const Pace& pace)
             .turn = turn_between(start_axis, axis)};
 }
 
-// The ball at s along the axis has the radius r + k s, |k| < 1. Its distance from a point y away from the
-// axis is least k y / sqrt(1 - k^2) beyond the point's foot on the axis.
+// The ball at s along the axis has the radius r + k s, |k| < 1. The ball nearest to a point at distance y
+// from the axis is k y / sqrt(1 - k^2) beyond the point's foot on the axis.
 MovingTaperedCapsule moving(const TaperedCapsule& start, const TaperedCapsule& end, const Pace& pace) {
     const auto capsule = [](const TaperedCapsule& shape) {
         return Capsule{shape.a, shape.b, shape.radius_a};

@@ -33,7 +33,7 @@ void OutsideCells::find(const TriangleTree& tree) {
 void OutsideCells::touch(const TriangleTree::Node& leaf) {
     std::array<std::uint32_t, 3> first{}, last{};
     for (int axis = 0; axis < 3; ++axis) {
-        // By a thousandth of a cell more, so that rounding leaves out none.
+        // A margin of a thousandth of a cell, so that rounding leaves out no cell.
         const float margin = 1e-3f / per_cell_;
         first[static_cast<std::size_t>(axis)] = cell_at(axis, to_vector(leaf.lower)[axis] - margin);
         last[static_cast<std::size_t>(axis)] = cell_at(axis, to_vector(leaf.upper)[axis] + margin);
@@ -51,7 +51,7 @@ void OutsideCells::visit(std::uint32_t cell) {
     open_.push_back(cell);
 }
 
-/// From the first corner: the border is a cell wide and touched by nothing.
+/// The flood starts at the first corner: the border is one cell wide and no leaf touches it.
 void OutsideCells::flood() {
     const std::uint32_t row = counts_[0], layer = row * counts_[1];
     open_.clear();

@@ -1,5 +1,5 @@
 #pragma once
-// Where certainly nothing of a closed mesh is, however its vertices have moved.
+// Cells that lie certainly outside a closed mesh, however its vertices have moved.
 
 #include <array>
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace weft {
 
-/// Cells of a grid over the mesh's box: those that no leaf of its tree reaches, and that are joined to the
-/// grid's border by others like them, are outside.
+/// A grid over the mesh's bounding box. A cell is outside if no leaf of the tree touches it and cells like it
+/// connect it to the grid's border.
 class OutsideCells {
   public:
-    /// Makes room. May throw.
+    /// Reserves memory. May throw.
     void reserve();
-    /// Precondition: reserved.
+    /// Finds the outside cells. Precondition: reserve().
     void find(const TriangleTree& tree);
     void clear() { cells_.clear(); }
     [[nodiscard]] bool known() const { return !cells_.empty(); }
@@ -26,7 +26,7 @@ class OutsideCells {
 
   private:
     enum class Cell : std::uint8_t { unknown, touched, outside };
-    static constexpr std::uint32_t most = 40;  // along the longest side, with a border of one
+    static constexpr std::uint32_t most = 40;  // cells along the longest side, with a border of one
 
     [[nodiscard]] std::uint32_t cell_at(int axis, float place) const;
     void touch(const TriangleTree::Node& leaf);

@@ -2,7 +2,7 @@
 
 namespace weft {
 
-/// How far from the origin colliders may be, and how large [m].
+/// Greatest coordinate and greatest size of colliders [m].
 inline constexpr float farthest = 1e5f;
 
 }  // namespace weft

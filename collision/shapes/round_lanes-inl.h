@@ -32,17 +32,17 @@ HWY_INLINE Lanes3 turned(const Matrix3& turn, const Lanes3& v) {
     return {row(0), row(1), row(2)};
 }
 
-/// Where the surface is nearest, lane by lane.
+/// The nearest surface, lane by lane.
 template <class Mask>
 struct SurfaceLanes {
     Mask is_near;
-    Lanes penetration;  // into what lies nearer than the thickness [m]
+    Lanes penetration;  // thickness less distance [m]
     Lanes3 normal;      // of unit length, outward
     Lanes3 velocity;    // [m/s]
 };
 
-// Shapes answer, for points p, whether any is near, and then where the surface is. Comparisons are such that
-// what is not a number is near nothing.
+// Each shape computes for points p near(), a conservative test, and surface(). Comparisons are such that a
+// point that is not a number is near nothing.
 
 /// Moving: a MovingCapsule or a MovingTaperedCapsule.
 template <class Moving>
@@ -58,7 +58,7 @@ struct RoundLanes {
           reach_squared(set((moving.radius + total_thickness) * (moving.radius + total_thickness))) {}
 
     [[nodiscard]] static constexpr bool convex() { return true; }
-    /// Fraction of the way from a to b of the axis point whose ball is nearest to p.
+    /// Fraction of the axis, from a to b, at which the ball nearest to p = a + from_a is centred.
     [[nodiscard]] HWY_INLINE Lanes along(const Lanes3& from_a) const {
         const Lanes t = hn::Mul(dot(from_a, set3(shape.axis)), set(shape.per_length_squared));
         if constexpr (is_tapered) {
@@ -75,7 +75,7 @@ struct RoundLanes {
         else
             return set(shape.radius);
     }
-    /// Where a point at the substep's start is if the shape takes it along: no nearer, and no farther.
+    /// Place of a start's point that moves along with the shape, at an unchanged distance from its surface.
     [[nodiscard]] HWY_INLINE Lanes3 carried(const Lanes3& p) const {
         const Lanes3 from_a = p - set3(shape.start_a);
         const Lanes t = hn::Mul(dot(from_a, set3(shape.start_axis)), set(shape.per_start_length_squared));
@@ -116,7 +116,7 @@ struct RoundLanes {
 };
 
 struct PlaneLanes {
-    static constexpr bool is_swept = false;  // whoever passes it is inside
+    static constexpr bool is_swept = false;  // a point that has passed it is inside
     const MovingPlane& shape;
     Lanes thickness;
 

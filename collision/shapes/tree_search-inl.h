@@ -1,4 +1,4 @@
-// Points against a hierarchy of triangles, in registers. Included as engine/simd/lanes-inl.h is.
+// Points against a bounding volume hierarchy, in registers. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_SHAPES_TREE_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_SHAPES_TREE_SEARCH_INL_H
@@ -19,11 +19,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// The nearest triangle yet, lane by lane. Of two that are as near it is the one of the lower number: so what
-/// a lane finds does not depend on the order in which others have it search.
+/// The nearest triangle so far, lane by lane. Ties go to the lower number: a lane's result does not depend on
+/// the order in which other lanes make it search.
 struct NearestTriangle {
-    Lanes squared;            // of the distance [m^2]; at first what it is to be below
-    Lanes number = set(-1);   // exact: there are less than 2^24
+    Lanes squared;            // squared distance [m^2]; at first its upper bound
+    Lanes number = set(-1);   // triangle number, exact below 2^24
     Lanes3 gap = zero3();     // from the triangle to the point [m]
     Lanes s = set(0), t = s;  // weights of its second and third corner
 
@@ -59,7 +59,7 @@ inline void look_at_leaf(const TriangleTree& tree, const TriangleTree::Node& nod
     }
 }
 
-/// Depth first, and first where a lane is nearer.
+/// Depth-first search; the child that is nearer to some lane comes first.
 inline void search(const TriangleTree& tree, const Lanes3& q, NearestTriangle& best) {
     const Tag d;
     const std::span<const TriangleTree::Node> nodes = tree.nodes();
@@ -82,7 +82,7 @@ inline void search(const TriangleTree& tree, const Lanes3& q, NearestTriangle& b
     }
 }
 
-/// Lanes in a box; infinitely small where there are none.
+/// Bounding box of lanes; of negative infinite size while empty.
 struct LaneBox {
     Lanes3 lower, upper;
 
@@ -105,11 +105,11 @@ struct LaneBox {
     }
 };
 
-/// The leaves of a tree within sight of a block of points: looked for once, so that the few points that lie
-/// side by side in registers need not walk down the tree each time.
+/// The leaves of a tree within sight of a block of points. They are found once, so that the few points of a
+/// register need not descend the tree each time.
 class NearLeaves {
   public:
-    /// For points in the box. What does not fit, or is anywhere, is left to the tree.
+    /// Lists leaves for points in the box. If they do not fit or the sight is unbounded, search() declines.
     NearLeaves(const TriangleTree& tree, const Eigen::AlignedBox3f& box, float sight) : box_(box) {
         if (box.isEmpty() || !(sight < 1e6f)) return;
         const Vector3 margin = Vector3::Constant(1.0001f * sight);
@@ -135,8 +135,8 @@ class NearLeaves {
         sight_ = sight;
     }
 
-    /// Finds what search() does of the tree, among the leaves. False, and nothing done, where it cannot:
-    /// points out of the box, or that see farther.
+    /// Searches these leaves as search() does the tree. False, with nothing done, for points outside the box
+    /// or of a longer sight.
     template <class Mask>
     [[nodiscard]] bool search(const TriangleTree& tree, const Lanes3& q, Mask asked, float sight,
                               NearestTriangle& best) const {
@@ -185,7 +185,7 @@ class NearLeaves {
     }
 
     Eigen::AlignedBox3f box_;
-    float sight_ = -1;  // below 0: the list is not whole
+    float sight_ = -1;  // negative: the list is incomplete
     std::uint32_t count_ = 0;
     alignas(64) float lower_[3][most], upper_[3][most];
     std::uint32_t nodes_[most];

@@ -29,7 +29,7 @@ Result<void> validate_vertices(const char* name, std::span<const Vec3> vertices)
     return {};
 }
 
-/// Of each vertex the first at its position.
+/// For each vertex, the first vertex at its position.
 std::vector<std::uint32_t> first_at_position(std::span<const Vec3> vertices) {
     std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -86,7 +86,7 @@ Result<TriangleTree> TriangleTree::make(const char* name, std::span<const Vec3> 
     if (closed && !(volume_of(vertices, made.triangles_) > 0))
         return invalid(name, " is inside out; wind its triangles counter-clockwise as seen from outside");
     made.build();
-    (void)made.find_neighbours(name);  // in the order of leaves
+    (void)made.find_neighbours(name);  // again: build() has reordered the triangles
     made.fit();
     made.find_normals();
     return made;
@@ -127,7 +127,7 @@ Result<void> TriangleTree::find_neighbours(const char* name) {
     return {};
 }
 
-// Split in the middle of the longest side of where the triangles' middles lie, half to each side.
+// Splits at the median of the triangles' centroids, along the longest side of the centroids' bounding box.
 void TriangleTree::build() {
     const auto middle = [&](const Corners& t) -> Vector3 {
         return (to_vector(vertices_[t[0]]) + to_vector(vertices_[t[1]]) + to_vector(vertices_[t[2]])) / 3;
@@ -152,7 +152,7 @@ void TriangleTree::build() {
     }
 }
 
-// Children come after their parents.
+// Nodes are fitted from the last to the first, because children stand after their parents.
 void TriangleTree::fit() {
     float largest = 0;
     for (const Vec3& v : vertices_) largest = std::max(largest, to_vector(v).cwiseAbs().maxCoeff());

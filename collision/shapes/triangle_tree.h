@@ -1,5 +1,5 @@
 #pragma once
-// Triangles in a hierarchy of boxes, with the normals that tell inside from outside.
+// A bounding volume hierarchy of triangles, with the pseudo-normals that tell inside from outside.
 
 #include <array>
 #include <cstdint>
@@ -16,26 +16,26 @@ using Corners = std::array<std::uint32_t, 3>;
 
 class TriangleTree {
   public:
-    /// A box around all below it. Its children are `first` and `first + 1`; a leaf has triangles from `first`
-    /// on.
+    /// Bounding box of a subtree. Children are `first` and `first + 1`; a leaf's triangles begin at `first`.
     struct Node {
-        Vec3 lower, upper;  // a little wider than what it holds: rounding prunes nothing that is nearest
-        std::uint32_t first, count;  // 0: no leaf
+        Vec3 lower, upper;           // padded against rounding, which must not prune the nearest triangle
+        std::uint32_t first, count;  // count 0: an inner node
     };
 
-    /// Vertices that are at one position become one. Error: a vertex that is no number or too far, a triangle
-    /// of vertices that do not exist or of two that are one, and, if it is to be closed, an edge without two
-    /// triangles, one that is wound against its neighbour, or all of them inside out. `name` begins messages.
+    /// Merges vertices at the same position. Error: a vertex that is not finite or out of range; a triangle
+    /// with a missing vertex, or with two corners that are merged; if `closed`, an edge without two
+    /// triangles, a triangle wound against its neighbour, or a mesh inside out. `name` begins messages.
     [[nodiscard]] static Result<TriangleTree> make(const char* name, std::span<const Vec3> vertices,
                                                    std::span<const Corners> triangles, bool closed);
 
-    /// Error: as above, or another number of vertices than it was made of. `name` begins messages.
+    /// Error: another number of vertices, one that is not finite or out of range, or a closed mesh turned
+    /// inside out. `name` begins messages.
     [[nodiscard]] Result<void> validate_deform(const char* name, std::span<const Vec3> vertices) const;
-    /// Moves the vertices. Their displacements are kept, added to those kept before if it is moved `again`.
+    /// Moves the vertices and stores their displacements, added to those stored before if moved `again`.
     /// Precondition: validate_deform().
     void deform(std::span<const Vec3> vertices, bool again);
-    /// Takes over vertices, and what they moved by, that it had before; once there is room, it takes no
-    /// memory.
+    /// Reserves the memory of put_back(), which restores earlier vertices and displacements and then
+    /// allocates nothing.
     void reserve_displacements() { displacements_.reserve(vertices_.size()); }
     void put_back(std::span<const Vec3> vertices, std::span<const Vec3> displacements);
 
@@ -47,8 +47,8 @@ class TriangleTree {
     [[nodiscard]] bool is_closed() const noexcept { return closed_; }
     [[nodiscard]] Eigen::AlignedBox3f box() const;
 
-    /// The pseudo-normal of where these weights of the corners lie on a triangle: on its face, an edge, or a
-    /// vertex (Baerentzen, Aanaes 2005). Of no certain length.
+    /// The pseudo-normal, not normalised, at the point of a triangle with these barycentric weights: that of
+    /// the face, of an edge or of a vertex (Baerentzen, Aanaes 2005).
     [[nodiscard]] Vector3 pseudo_normal(std::uint32_t triangle, const std::array<float, 3>& weights) const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -59,7 +59,7 @@ class TriangleTree {
     void find_normals();
 
     std::vector<Vec3> vertices_, displacements_;
-    std::vector<std::uint32_t> representative_;  // of each vertex that came in
+    std::vector<std::uint32_t> representative_;  // the first vertex at the same position, by vertex
     std::vector<Corners> triangles_;             // in the order of leaves
     std::vector<Corners> neighbours_;            // across the edge from each corner to the next
     std::vector<Vec3> face_normals_, vertex_normals_;

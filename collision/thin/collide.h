@@ -1,5 +1,5 @@
 #pragma once
-// Cloth against colliders at the end of a substep: its particles, and then its whole triangles.
+// Cloth against colliders at the end of a substep: first its particles, then its whole triangles.
 
 #include <cstdint>
 #include <span>
@@ -9,10 +9,10 @@
 namespace weft {
 
 /// Moves every free particle (inverse mass > 0) that is nearer than the thickness to a collider's surface, or
-/// inside it, out to the thickness; takes from its velocity relative to the surface what approaches it, gives
-/// it what bounces, and takes by Coulomb's law what slides along it. Friction moves the position too, so that
-/// cloth at rest on a slope does not creep. Colliders act in order. h: length of the substep [s]. Returns the
-/// number of particles that met a collider. Preconditions: block_partials.size() >=
+/// inside it, out to the thickness. Its velocity relative to the surface loses the approach, gains the
+/// bounce, and loses sliding by Coulomb's law. Friction moves the position too, so that cloth at rest on a
+/// slope does not creep. Colliders act in order. h: length of the substep [s]. Returns how many particles,
+/// and parts of whole triangles, met a collider. Preconditions: block_partials.size() >=
 /// block_count(positions.size()); `cloth` has as many particles.
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
                       float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials);

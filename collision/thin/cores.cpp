@@ -9,17 +9,17 @@ namespace weft {
 
 namespace {
 
-/// Radii, with the thickness, in sides of triangles as they are: see Thinness. A rod slips between two rows
+/// Thresholds of Thinness: radius and thickness over triangles' present sides. A rod slips between two rows
 /// of particles, a ball between the corners of a triangle.
 constexpr float if_fast = 2, if_moved = 1.1f, rod_slips_through = 0.55f, ball_slips_through = 0.8f,
                 is_held_in = 0.4f;
 /// A collider that moves by less than this part of the thickness in a step stands still.
 constexpr float moved = 0.02f;
-/// Of the thickness, that a body with edges moves at least. The equation knows nothing of what is kept out
-/// here: what lies on edges would not come to rest, and a box with mass would not on cloth. On a round thing
-/// as thin cloth would fall through.
+/// Least motion, in thicknesses, of a body whose edges count. The equation does not know this contact: cloth
+/// on edges would not come to rest, nor would a box with mass on cloth. Round cores always count, because
+/// cloth on them would fall through.
 constexpr float least_way = 0.25f;
-/// Columns are across the axis, and the first along it.
+/// A frame whose first column is along the axis.
 Matrix3 frame_along(const Vector3& axis) {
     Matrix3 frame = Matrix3::Identity();
     const float length = axis.norm();
@@ -44,7 +44,7 @@ InnerRod rod_of(const Vector3& half) {
 
 constexpr float thick = std::numeric_limits<float>::infinity();
 
-/// Half of what it measures across, and whether its edges can part cloth.
+/// Half width of a shape, and whether its edges can part cloth.
 struct Width {
     float half = thick;
     bool has_edges = false, is_ball = false;
@@ -177,7 +177,7 @@ void Cores::add_box(const MovingBox& box, bool with_edges) {
     }
 }
 
-// Of faces in one plane the edges between are none of the body's; that they count for some costs time alone.
+// Edges between coplanar faces are no edges of the body; counting them costs time alone.
 void Cores::add_held(const MovingHeld& held, bool with_edges) {
     take_space(held.space);
     if (held.shape->rod() != nullptr) add_rod(*held.shape->rod());
@@ -190,7 +190,7 @@ void Cores::add_held(const MovingHeld& held, bool with_edges) {
     for (std::uint32_t t = 0; t < tree.size(); ++t) {
         const Corners& corners = tree.triangle(t);
         for (int k = 0; k < 3; ++k) {
-            const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];  // each edge both ways
+            const std::uint32_t i = corners[k], j = corners[(k + 1) % 3];  // each edge comes both ways
             if (i < j && count_ < most) add_edge(corners_[i], corners_[j]);
         }
     }
@@ -202,7 +202,7 @@ Vector3 Cores::velocity_at(const Vector3& own) const {
 
 bool Cores::is_outward(const Core& core, const Vector3& own, const Vector3& direction) const {
     if (!core.is_edge) return true;
-    constexpr float slack = 0.05f;  // of rounding, and of what turns on its way
+    constexpr float slack = 0.05f;  // for rounding, and for bodies that turn on the way
     for (std::uint32_t k = 0; k < corner_count_; ++k) {
         const Vector3 to_corner = corners_[k] - own;
         if (direction.dot(to_corner) > slack * to_corner.norm()) return false;

@@ -1,6 +1,6 @@
 #pragma once
-// What of a collider can stick through a triangle without meeting a corner of it: the axis of what is thin,
-// the edges and corners of what is sharp.
+// Cores: parts of a collider that can pass through a triangle without touching its corners. They are the axes
+// of thin colliders, and the edges and corners of sharp ones.
 
 #include <array>
 #include <cstdint>
@@ -13,44 +13,45 @@
 
 namespace weft {
 
-/// A segment or a point of a collider, in a space of the collider's own in which it stands still, with balls
-/// about it.
+/// A segment or a point of a collider, with balls about it, in a local frame of the collider in which it
+/// stands still.
 struct Core {
     Vector3 a = Vector3::Zero(), axis = Vector3::Zero();  ///< [m]; a point has no axis
-    float radius = 0, wider = 0;  ///< about a, and what it is more at the other end [m]
-    float tilt = 0;  ///< of the nearest ball's fraction, beyond the foot on the axis, by the distance [1/m]
-    Eigen::AlignedBox3f box{};  ///< around all of it
-    bool is_edge = false;       ///< of a convex body, or a corner: the body itself is on one side of it
+    float radius = 0, wider = 0;  ///< radius at a; radius at the other end less it [m]
+    float tilt = 0;  ///< fraction of the nearest ball less the foot's, per distance from the axis [1/m]
+    Eigen::AlignedBox3f box{};  ///< bounding box with the balls
+    bool is_edge = false;       ///< an edge or corner of a convex body, which is on one side of it
 
     [[nodiscard]] bool is_point() const { return axis.isZero(0); }
     [[nodiscard]] Vector3 at(float s) const { return a + s * axis; }
     [[nodiscard]] float radius_at(float s) const { return radius + s * wider; }
 };
 
-/// A collider, with the thickness, beside a triangle. What it meets beside particles is put back after the
-/// step and does not rest on it, so that particles alone meet what they can hold.
+/// How thin a collider, with the thickness, is beside a triangle. Contact between particles is corrected
+/// after the step and nothing comes to rest on it, so colliders that particles can hold are left to
+/// particles.
 enum class Thinness : std::uint8_t {
     thick,         ///< particles meet it
     thin_if_fast,  ///< slips between particles that its speed draws apart: thinner than two sides
-    thin,          ///< slips between them, but they let it out again: thinner than 1.1 sides while the host
-                   ///< moves it, else rods than .55 and balls than .8
-    thinnest       ///< does not come out between them: thinner than two fifths; edges that move
+    thin,     ///< slips between them and out again: below 1.1 sides while the host moves it; else rods below
+              ///< .55, balls below .8
+    thinnest  ///< does not come out again: below two fifths of a side; edges that move
 };
 
-/// How a collider slips through cloth, by how long sides of triangles are where it is. A step that draws
-/// cells to a multiple of their size lets through what they would hold at rest.
+/// How a collider slips through cloth, depending on the length of triangles' sides. A step that stretches
+/// cells to a multiple of their size lets colliders through that they would hold at rest.
 struct Slipping {
-    float thin = 0;           ///< radius with the thickness, of a body half its width [m]
+    float thin = 0;           ///< radius, of a body half its width, and the thickness [m]
     bool is_ball = false;     ///< else a rod
-    bool moves = false;       ///< and no body carries it
-    bool edges_part = false;  ///< they move: cloth that lies on them would not come to rest
+    bool moves = false;       ///< by the host: no body is attached
+    bool edges_part = false;  ///< its edges count, because they move; on them cloth does not come to rest
 
-    /// What is round of it, beside sides of that length [m].
+    /// Thinness of the round core beside sides of that length [m].
     [[nodiscard]] Thinness as_rod(float side) const;
-    /// All of it.
+    /// Thinness of the whole collider.
     [[nodiscard]] Thinness beside(float side) const { return edges_part ? Thinness::thinnest : as_rod(side); }
 };
-/// Nothing: it is thick beside all; also what has jumped.
+/// Nothing for a collider that is thick beside any triangle, or that has jumped.
 [[nodiscard]] std::optional<Slipping> slipping(const ColliderMotion& motion, float h, float thickness);
 
 /// The cores of one collider over a substep.
@@ -58,17 +59,17 @@ class Cores {
   public:
     static constexpr std::uint32_t most = 128, most_corners = HeldShape::most_edged_corners;
 
-    /// None of planes, grounds, distance fields, and meshes without a rod that are not edged.
+    /// No cores for planes, grounds, distance fields, and meshes that have neither a rod nor edges.
     Cores(const ColliderMotion& motion, float h, bool with_edges);
 
     [[nodiscard]] std::span<const Core> list() const { return std::span(cores_).first(count_); }
     [[nodiscard]] bool empty() const { return count_ == 0; }
-    /// The first core is the axis of a capsule, along x from the origin of their space.
+    /// Whether the first core is a capsule's axis, along x from the local frame's origin, or a ball.
     [[nodiscard]] bool are_round() const { return are_round_; }
-    /// Around all of them.
+    /// Bounding box of all cores.
     [[nodiscard]] const Eigen::AlignedBox3f& box() const { return box_; }
 
-    /// The same, in the World, and wider by so much on all sides.
+    /// The bounding box, grown by `margin`, with its pose in the World at both ends.
     [[nodiscard]] TurningBox turning_box(float margin) const {
         return {to_own_,
                 from_start_,
@@ -77,15 +78,14 @@ class Cores {
                 box_.min() - Vector3::Constant(margin),
                 box_.max() + Vector3::Constant(margin)};
     }
-    /// Of points of the World at the substep's start and its end.
+    /// Local coordinates of a point of the World at the substep's start, and at its end.
     [[nodiscard]] Vector3 seen_at_start(const Vector3& p) const { return from_start_ * (p - start_origin_); }
     [[nodiscard]] Vector3 seen(const Vector3& p) const { return to_own_ * (p - origin_); }
     [[nodiscard]] Vector3 place(const Vector3& own) const { return origin_ + in_world(own); }
     [[nodiscard]] Vector3 in_world(const Vector3& direction) const { return to_own_.transpose() * direction; }
-    /// Of a point of a core, which the World has at the end [m/s].
+    /// Velocity in the World, at the end, of a local point [m/s].
     [[nodiscard]] Vector3 velocity_at(const Vector3& own) const;
-    /// Whether something can lie in this direction from a point of a core: of an edge, where the body is not
-    /// in the way.
+    /// Whether cloth can lie in this direction from a core's point: an edge's own body is in the way.
     [[nodiscard]] bool is_outward(const Core& core, const Vector3& own, const Vector3& direction) const;
 
   private:
@@ -106,7 +106,7 @@ class Cores {
     Matrix3 to_own_, from_start_;
     Vector3 origin_, start_origin_;
     Vector3 velocity_;  // of the origin
-    Matrix3 gradient_;  // what own coordinates add to it
+    Matrix3 gradient_;  // its gradient over local coordinates [1/s]
 };
 
 }  // namespace weft

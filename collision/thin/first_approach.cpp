@@ -44,15 +44,15 @@ Nearest nearest_of_triangle(const Core& core, const std::array<Vector3, 3>& x) {
     const std::array<float, 3> weights = nearest_on_triangle(core.a, x);
     Nearest nearest{weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2] - core.a, 0, weights};
     if (weights[0] == 0 || weights[1] == 0 || weights[2] == 0) return nearest;
-    // Exactly across: rounding of long sides would tilt it.
+    // Within the face the vector is exactly along the normal: rounding of long sides would tilt it.
     const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
     const float squared = normal.squaredNorm();
     if (squared > 0) nearest.out = -(normal.dot(core.a - x[0]) / squared) * normal;
     return nearest;
 }
 
-/// Whether a plane across the way from the core to the middle of the corners lies between these, which go
-/// straight, and the core grown by so much: mostly so, and soon seen.
+/// Early rejection: whether a plane, perpendicular to the line from the core to the corners' centroid,
+/// separates the corners' straight paths from the core grown by `by`.
 bool is_clear(const Core& core, float by, const CornerPaths& paths, std::size_t corners) {
     Vector3 middle = Vector3::Zero();
     for (std::size_t k = 0; k < corners; ++k) middle += paths.from[k];
@@ -73,7 +73,7 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
                                        const Kept& kept) {
     const float gap = kept.gap;
     constexpr int most_steps = 64;
-    constexpr float least_part = 1.0f / 128;  // of the way
+    constexpr float least_part = 1.0f / 128;  // of the path
     const std::size_t corners = core.is_point() ? 3 : 2;
     if (is_clear(core, 1.06f * gap, paths, corners)) return std::nullopt;
     const std::array<Vector3, 3>&from = paths.from, &to = paths.to;
@@ -83,7 +83,7 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
         const Nearest nearest =
             core.is_point() ? nearest_of_triangle(core, x) : nearest_of_edge(core, x[0], x[1]);
         const float distance = nearest.out.norm();
-        if (!(distance > 1e-7f)) return std::nullopt;  // it began within
+        if (!(distance > 1e-7f)) return std::nullopt;  // it begins inside
         const Vector3 normal = nearest.out / distance;
         const float radius = core.radius_at(nearest.s), wanted = radius + gap, clear = distance - wanted;
         if (kept.only_from_outside && step == 0 && !core.is_point() && distance < radius) return std::nullopt;
@@ -100,11 +100,11 @@ std::optional<Approach> first_approach(const Cores& cores, const Core& core, con
             }
             const float depth = wanted - normal.dot(end - foot);
             if (depth > 0) return Approach{nearest.weights, foot, normal, depth};
-            // The plane between the two is one to the end.
+            // This plane separates the two to the end.
             if (least > std::max(normal.dot(core.a), normal.dot(core.at(1)))) return std::nullopt;
         }
         if (t == 1 || !(fastest > 0)) return std::nullopt;
-        // Whatever is near goes no farther than the plane between the two holds.
+        // Near the core, a step goes no farther than the plane between the two allows.
         const float free = is_near ? std::max(0.8f * distance, least_part * fastest) : clear;
         t = std::min(t + free / fastest, 1.0f);
         for (std::size_t k = 0; k < corners; ++k) x[k] = from[k] + t * (to[k] - from[k]);

@@ -16,7 +16,7 @@ namespace {
 
 using SideBits = hn::Vec<hn::RebindToUnsigned<Tag>>;
 
-/// Of a coordinate at both ends. `rounding`: what it may be wrong by.
+/// The bits of one coordinate, given at both ends. `rounding`: its greatest error.
 HWY_INLINE SideBits beyond(Lanes from, Lanes to, Lanes rounding, float lower, float upper,
                            std::uint32_t bit) {
     const hn::RebindToUnsigned<Tag> du;

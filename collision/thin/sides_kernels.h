@@ -1,5 +1,5 @@
 #pragma once
-// On which sides of a box particles lie all the way: what most triangles are left out by.
+// The sides of a box beyond which particles stay over a substep: the test that rejects most triangles.
 
 #include <cstdint>
 #include <span>
@@ -9,16 +9,16 @@
 
 namespace weft {
 
-/// A box in a space that may turn over a substep.
+/// A box in a local frame that may turn over a substep.
 struct TurningBox {
     Matrix3 to_own, to_own_at_start;
     Vector3 origin, origin_at_start;
     Vector3 lower, upper;  ///< [m]
 };
 
-/// A bit for each of the six sides beyond which a particle is both at the start and at the end; a little
-/// beyond, so that rounding adds none. Nothing that spans particles which have a bit in common is in the box
-/// at either, or between the two. What is no number has none. Precondition: as many of all three.
+/// Finds a bit for each of the six sides beyond which a particle is at both start and end, with a margin for
+/// rounding. A triangle whose particles have a bit in common is outside the box at both ends and between
+/// them. A particle that is not a number has no bits. Precondition: as many of all three.
 void find_sides(const TurningBox& box, std::span<const Vec4> starts, std::span<const Vec4> positions,
                 std::span<std::uint32_t> sides);
 

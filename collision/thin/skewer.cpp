@@ -9,13 +9,13 @@ namespace weft {
 
 namespace {
 
-/// Off the tip of a hand in two frames. What holds the cloth draws it back by centimetres in each: at a
-/// quarter of this a hand that swings has it for nine, and it is stretched to twice as much.
+/// Speed of coming off: over the tip of a hand in two frames. The rest of the cloth draws back by centimetres
+/// in each; at a quarter of this a swinging hand keeps it for nine, and stretches it twice as much.
 constexpr float speed = 5;  // [m/s]
 
 bool is_inside_another(const Vector3& point, const ColliderMotion& motion,
                        std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h) {
-    constexpr std::uint32_t group = 16;  // to whose end arrays go on
+    constexpr std::uint32_t group = 16;  // arrays extend to its end
     constexpr float reach = 1e-3f;
     std::array<Vec4, group> points, still{};
     points.fill(to_vec4(point, 1));
@@ -58,7 +58,7 @@ TurningBox Skewer::box() const {
     return box;
 }
 
-/// Seen along the axis the triangle is flat, and the axis a point.
+/// Projected along the axis, the triangle is flat and the axis a point.
 std::optional<Skewer::Hit> Skewer::hit(const Triangle& corners, std::span<const Vec4> positions) const {
     std::array<Vector3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = cores_->seen(xyz(positions[corners[k]]));

@@ -1,6 +1,6 @@
 #pragma once
-// Cloth that the axis of a limb sticks through. No corner need be inside, and what began there is let be, so
-// nothing else would take it off.
+// Removal of cloth that a limb's axis pierces. Nothing else would remove it: no corner need be inside the
+// limb, and an edge that begins inside is ignored.
 
 #include <array>
 #include <cstdint>
@@ -14,27 +14,27 @@
 
 namespace weft {
 
-/// The axis of something round at the end of a substep.
+/// The axis of a round collider at the end of a substep.
 class Skewer {
   public:
     using Triangle = std::array<std::uint32_t, 3>;  ///< particles
 
-    /// Nothing of what has no axis. The cores are to outlive it.
+    /// Nothing for cores without an axis. The cores must outlive the skewer.
     [[nodiscard]] static std::optional<Skewer> of(const Cores& cores);
 
-    /// Around it, in the World, and in a space of its own.
+    /// Bounding box of the axis, in the World and in its local frame.
     [[nodiscard]] Bounds bounds() const;
     [[nodiscard]] TurningBox box() const;
     [[nodiscard]] bool goes_through(const Triangle& corners, std::span<const Vec4> positions) const {
         return hit(corners, positions).has_value();
     }
 
-    /// Where cloth may come off: beyond an end that no other collider holds, and if each is held, the one
-    /// that is thinner, as a hand is at the end of an arm. Precondition: the motion is one of the colliders.
+    /// Finds the ends over which cloth may come off: those inside no other collider or, if both are inside
+    /// one, the thinner, as a hand at the end of an arm. Precondition: the motion is one of the colliders.
     void find_ways(const ColliderMotion& motion, std::span<const ColliderMotion> colliders,
                    const ClothSide& cloth, float h);
-    /// Moves the corners along, so that the triangle comes off over the nearer end of these. That way becomes
-    /// no velocity. Returns whether it went through.
+    /// Moves the corners along the axis, so that the triangle comes off over the nearer of these ends. The
+    /// motion adds no velocity. Returns whether it moved any.
     bool take_off(const Triangle& corners, float h, std::span<Vec4> positions) const;
 
   private:
@@ -47,7 +47,7 @@ class Skewer {
 
     const Cores* cores_ = nullptr;
     float length_ = 0;                    // of the axis [m]
-    float off_first_ = 0, off_last_ = 0;  // from its ends to where cloth is off [m]
+    float off_first_ = 0, off_last_ = 0;  // from the axis's ends to where cloth is off [m]
     bool over_first_ = false, over_last_ = false;
 };
 

@@ -21,17 +21,17 @@ namespace weft {
 namespace {
 
 constexpr int most_rounds = 8, most_searches = 3;
-/// What is kept of the thickness: between particles, which keep all of it, sides are chords round what is
-/// thin.
+/// Part of the thickness that is kept: particles keep all of it, but the sides between them are chords round
+/// a thin collider.
 constexpr float part_of_thickness = 0.5f;
-/// Of the mean edge, where there is no thickness.
+/// Least gap over the mean edge, where there is no thickness.
 constexpr float least_gap = 0.02f;
 
 std::span<const Vec4> of_block_of(std::span<const Vec4> all, const BlockRange& range) {
     return all.subspan(range.begin, range.end - range.begin);
 }
 
-/// Of the corners, as the collider sees them: whoever wears cloth takes it along.
+/// Longest path of the corners relative to the collider, without motion that cloth shares with its wearer.
 float longest_way(const CornerPaths& corners) {
     float squared = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -46,10 +46,10 @@ std::optional<weft::Meeting> meeting_with(const ColliderMotion& motion, float h,
     });
 }
 
-/// Of the particles of a block of triangles, on which sides of all cores they are.
+/// The sides of the cores' bounding box beyond which a block of triangles has its particles.
 class ParticleSides {
   public:
-    /// None of them is known of a block whose particles lie too far apart in memory.
+    /// Nothing is known of a block whose particles lie too far apart in memory.
     ParticleSides(const TurningBox& box, std::span<const Vec4> starts, std::span<const Vec4> positions,
                   std::uint32_t first, std::uint32_t last)
         : first_(first), known_(last - first < most) {
@@ -71,7 +71,7 @@ class ParticleSides {
 
 }  // namespace
 
-/// One collider and the cloth.
+/// A pass of one collider against the cloth.
 struct WholeTriangles::Meeting {
     const Cores& cores;
     const ColliderMotion& motion;
@@ -80,10 +80,10 @@ struct WholeTriangles::Meeting {
     float h, mean_edge;
     Slipping slipping;
 
-    /// The side of cells where a triangle begins so is the cloth's mean edge, or two thirds of the triangle's
-    /// own where that is more: its sides' root mean square, by which half of a square has the square's side.
-    /// Beside rods that stand it is the mean: what two limbs squeeze is drawn out, and rests only where
-    /// particles alone hold it.
+    /// Size of cells where a triangle begins: the cloth's mean edge, or two thirds of the triangle's own size
+    /// if greater. That is half the root of its sides' summed squares, for half of a square the square's
+    /// side. Beside rods that stand still it is the mean edge: cloth squeezed by two limbs is stretched, and
+    /// rests only where particles alone hold it.
     [[nodiscard]] float side(const CornerPaths& corners) const {
         if (!slipping.moves && !slipping.is_ball) return mean_edge;
         constexpr float part = 2.0f / 3;
@@ -95,7 +95,7 @@ struct WholeTriangles::Meeting {
     [[nodiscard]] float longest_gap() const {
         return std::max(part_of_thickness * thickness(), least_gap * mean_edge);
     }
-    /// To be kept of these particles.
+    /// Gap to keep for this triangle.
     [[nodiscard]] float gap(const Triangle& corners) const {
         float own = cloth.most_thickness;
         for (const std::uint32_t i : corners) own = std::min(own, cloth.thickness[i]);
@@ -112,8 +112,8 @@ struct WholeTriangles::Meeting {
     void push(const Triangle& corners, const Approach& approach) const;
 };
 
-// Bridson, Fedkiw, Anderson 2002, equation 7 and section 7.3: by masses and weights; friction by Coulomb's
-// law, of positions too, as in collide().
+// The impulse is shared by masses and weights (Bridson, Fedkiw, Anderson 2002, equation 7 and section 7.3).
+// Coulomb's friction moves positions, too, as in collide().
 void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& approach) const {
     const auto inverse_mass = [&](std::size_t k) { return particles.positions[corners[k]].w; };
     const float yields = yielding(approach.weights, inverse_mass);
@@ -167,7 +167,7 @@ WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_
     }
 }
 
-/// A side of two triangles is met once, with the first of them.
+/// A side that two triangles share is tested once, with the first of them.
 void WholeTriangles::find_owned() {
     struct Side {
         std::uint32_t low, high, triangle, k;
@@ -193,7 +193,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
                                        const ClothSide& cloth, float h, const CollidingParticles& particles) {
     std::uint32_t met = 0;
     bool has_paths = false;
-    float longest = 0;  // of edges; 0: not known
+    float longest = 0;  // longest edge; 0: not known
     BlockPaths all;
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end)) continue;
@@ -209,7 +209,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         const Cores cores(motion, h, slips->edges_part);
         if (cores.empty()) continue;
         const Meeting meeting{cores, motion, cloth, particles, h, mean_edge_, *slips};
-        // What has been pushed draws triangles along that were not near.
+        // A push also moves neighbouring triangles that were not near.
         for (int search = 0; search < most_searches; ++search) {
             if (search > 0) all = find_paths(parallel, particles);
             const std::uint32_t moved = push_out(meeting, find_near(parallel, meeting));
@@ -234,7 +234,7 @@ float WholeTriangles::longest_edge(Parallel& parallel, std::span<const Vec4> pos
     return *std::ranges::max_element(longest_.span());
 }
 
-/// Of each block; and of all.
+/// Finds the paths of each block; returns those of all.
 BlockPaths WholeTriangles::find_paths(Parallel& parallel, const CollidingParticles& particles) {
     parallel.ranges(static_cast<std::uint32_t>(particles.positions.size()), [&](const BlockRange& range) {
         paths_[range.block] =
@@ -254,8 +254,8 @@ BlockPaths WholeTriangles::joined(std::uint32_t first, std::uint32_t last) const
     return all;
 }
 
-/// Which triangles may come near a core that is thin beside them, in ascending order; how many. Where one is
-/// as fast as it has to be, all count: others beside it are carried already.
+/// Finds triangles that may come near a core that is thin beside them, in ascending order; returns their
+/// number. If one is fast enough all count: slow ones beside it move with the collider already.
 std::uint32_t WholeTriangles::find_near(Parallel& parallel, const Meeting& meeting) {
     parallel.ranges(static_cast<std::uint32_t>(triangles_.size()),
                     [&](const BlockRange& range) { find_near_in_block(meeting, range); });
@@ -306,7 +306,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     }
 }
 
-/// One after the other, so that each sees what the one before has done.
+/// Triangles are pushed one after the other, so that each starts from the last one's result.
 std::uint32_t WholeTriangles::push_out(const Meeting& meeting, std::uint32_t near) {
     std::uint32_t moved = 0;
     for (int round = 0; round < most_rounds; ++round) {
@@ -328,7 +328,7 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     CornerPaths paths = meeting.paths(corners);
     const float side = meeting.side(paths);
     const bool only_from_outside = meeting.slipping.beside(side) != Thinness::thinnest;
-    // Edges hold what is nearly as wide as cells; what is round within them would push the other way.
+    // Edges hold a collider that is nearly as wide as cells; its round core would push the other way.
     const Thinness as_rod = meeting.slipping.as_rod(side);
     const bool is_thick =
         as_rod == Thinness::thick || (meeting.slipping.edges_part && as_rod == Thinness::thin_if_fast);
@@ -360,7 +360,7 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     return any;
 }
 
-/// Which triangles it goes through, in ascending order; how many.
+/// Finds the triangles that the axis pierces, in ascending order; returns their number.
 std::uint32_t WholeTriangles::find_pierced(Parallel& parallel, const Skewer& skewer, const Meeting& meeting) {
     const Bounds bounds = skewer.bounds();
     const TurningBox box = skewer.box();
@@ -378,7 +378,7 @@ std::uint32_t WholeTriangles::find_pierced(Parallel& parallel, const Skewer& ske
     return gather_near();
 }
 
-/// What has got there all the same, as where contact has the last word.
+/// Removes triangles that are pierced all the same, as when contact acts last.
 std::uint32_t WholeTriangles::take_off(Parallel& parallel, const Meeting& meeting,
                                        std::span<const ColliderMotion> colliders) {
     std::optional<Skewer> skewer = Skewer::of(meeting.cores);

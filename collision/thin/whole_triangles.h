@@ -1,6 +1,6 @@
 #pragma once
-// Whole triangles of a cloth against thin and sharp colliders. Particles are met on their way by collide();
-// what passes between them is not.
+// Whole triangles of a cloth against thin and sharp colliders, which pass between the particles that
+// collide() tests along their paths.
 
 #include <array>
 #include <cstdint>
@@ -20,15 +20,14 @@ class WholeTriangles {
   public:
     using Triangle = std::array<std::uint32_t, 3>;  ///< particles
 
-    /// mean_edge: at rest [m]. The triangles are to outlive it. May throw.
+    /// mean_edge: mean edge length at rest [m]. The triangles must outlive the object. May throw.
     WholeTriangles(std::span<const Triangle> triangles, std::uint32_t particles, float mean_edge);
 
-    /// After collide() has moved particles: what their triangles' sides and insides have passed of colliders
-    /// that are thin beside the cloth's edges, or sharp, is put back to the side on which it came, as far as
-    /// half the thickness, with velocities as in collide(). Momentum goes to corners by their masses.
-    /// What the axis of a limb goes through when that is done comes off over its end.
-    /// Returns how many sides, insides and triangles were moved. The rest as there; `starts` may not be
-    /// empty.
+    /// Call this after collide() has moved particles. Sides and insides of triangles that have passed
+    /// colliders that are sharp, or thin beside the cloth's edges, are pushed back to the side from which
+    /// they came, to half the thickness, with velocities as in collide(). Corners share momentum by their
+    /// masses. Triangles that a limb's axis still pierces come off over its end. Returns the number of sides,
+    /// insides and triangles that were moved. All else as there; `starts` may not be empty.
     std::uint32_t keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
                            const ClothSide& cloth, float h, const CollidingParticles& particles);
 
@@ -44,7 +43,7 @@ class WholeTriangles {
     struct Meeting;
 
     void find_owned();
-    /// Of the cloth at these positions [m].
+    /// The cloth's longest edge at these positions [m].
     [[nodiscard]] float longest_edge(Parallel& parallel, std::span<const Vec4> positions);
     [[nodiscard]] BlockPaths find_paths(Parallel& parallel, const CollidingParticles& particles);
     [[nodiscard]] BlockPaths joined(std::uint32_t first, std::uint32_t last) const;
@@ -58,15 +57,15 @@ class WholeTriangles {
     std::uint32_t gather_near();
 
     std::span<const Triangle> triangles_;
-    AlignedBuffer<std::uint32_t> order_;  // of triangles, by their first particles: so blocks lie together
+    AlignedBuffer<std::uint32_t> order_;  // triangles sorted by first particle, which keeps blocks compact
     float mean_edge_;
-    AlignedBuffer<std::uint8_t> owned_;    // by triangle: bit k of its side from corner k to the next
+    AlignedBuffer<std::uint8_t> owned_;    // by triangle: bit k if it owns its side from corner k on
     AlignedBuffer<ParticleSpan> spans_;    // by block of triangles: their particles
-    AlignedBuffer<std::uint32_t> near_;    // triangles, from each block's begin on
-    AlignedBuffer<std::uint32_t> counts_;  // of these, by block
-    AlignedBuffer<std::uint8_t> is_fast_;  // whether any of these is, by block
-    AlignedBuffer<float> longest_;         // of edges, by block
-    AlignedBuffer<BlockPaths> paths_;      // by block of particles
+    AlignedBuffer<std::uint32_t> near_;    // near triangles, from each block's begin on
+    AlignedBuffer<std::uint32_t> counts_;  // number of near triangles, by block
+    AlignedBuffer<std::uint8_t> is_fast_;  // whether any near triangle is fast, by block
+    AlignedBuffer<float> longest_;         // longest edge, by block
+    AlignedBuffer<BlockPaths> paths_;      // paths, by block of particles
 };
 
 }  // namespace weft

@@ -1,5 +1,5 @@
 #pragma once
-// How a push is shared among the corners of a triangle.
+// The share of a push that each corner of a triangle gets.
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace weft {
 
-/// A push moves corner k by weights[k] inverse_mass(k) / yielding(). The masses are the corners' own, but
-/// each counts as at most three times as heavy as the lightest: beside a pinned corner, or a very heavy one,
-/// a free one would go by a lever as long as one likes. So no corner goes farther than twice the push, and
-/// what the heavy ones bear is left. 0: no corner that has a weight is free.
+/// A push moves corner k by weights[k] inverse_mass(k) / yielding(). In this sum a corner counts as at most
+/// three times as heavy as the lightest: without that limit, a free corner beside a pinned or very heavy one
+/// would move by an unbounded lever. No corner moves farther than twice the push, and the heavy corners'
+/// share of it is not made up for. 0: no corner that has a weight is free.
 template <class InverseMass>
 [[nodiscard]] float yielding(const std::array<float, 3>& weights, const InverseMass& inverse_mass) {
     constexpr float least_part = 1.0f / 3;

@@ -16,7 +16,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr double growing = 1.0;                      // into a garment that has to be fitted [s]
+constexpr double growing = 1.0;                      // duration of the body's growth into a garment [s]
 constexpr double standing = 0.3, blending_in = 0.9;  // [s]
 
 Result<std::unique_ptr<Motion>> make_motion(const CharacterSettings& settings) {
@@ -50,10 +50,10 @@ bool is_beyond(const TaperedCapsule& limb, const Vector3& point) {
     return (point - 0.5f * (a + b)).squaredNorm() > 0.5f * (b - a).squaredNorm() + 2 * radius * radius;
 }
 
-/// A point that follows one limb is where another one bends into it: it is moved out of both, since what is
-/// pinned there cannot be.
+/// Moves a target out of all limbs. A point that follows one limb may be inside another that bends into it,
+/// and contact cannot move pinned particles.
 Vec3 outside(const std::vector<TaperedCapsule>& body, const Vec3& point) {
-    constexpr int rounds = 3;  // out of one limb it may come into the next
+    constexpr int rounds = 3;  // a point moved out of one limb may be inside the next
     Vector3 moved = to_vector(point);
     bool is_inside = true;
     for (int round = 0; round < rounds && std::exchange(is_inside, false); ++round)
@@ -69,7 +69,7 @@ Vec3 outside(const std::vector<TaperedCapsule>& body, const Vec3& point) {
 
 }  // namespace
 
-/// Who comes with a skeleton, a motion and weights of their own, and stands as the file has them.
+/// A character of a glTF file with its own skeleton, motion and weights, at first in the file's rest pose.
 Result<Character> Character::create_skinned(const CharacterSettings& settings) {
     if (!settings.motion.empty())
         return Error{
@@ -159,7 +159,7 @@ void Character::take_skin(Skin skin) {
     skin_places_ = std::make_shared<std::vector<Vec3>>(skin_.size());
 }
 
-/// Of garments that have neither leashes nor backstops nothing. `own`: weights that a file has.
+/// Binds skin targets, if the garment has leashes or backstops. `own`: a file's weights, or null.
 void Character::bind_limits(const Pose& stance, const Binding* own) {
     const auto limits = [](const PaintedMap& painted) {
         return painted.map == Map::leash || painted.map == Map::backstop;
@@ -249,7 +249,7 @@ Result<void> Character::teleport(World& world, const Transform& by) {
     turn_ = (turn * turn_).normalized();
     place_ = turn * place_ + to_vector(by.translation);
     follow(followed_);
-    if (skin_places_) {  // by deforming it would sweep all that lies between
+    if (skin_places_) {  // deforming the shape would drag cloth on its way
         if (auto removed = world.remove_collider(colliders_.front()); !removed) return removed;
         if (auto removed = world.remove_shape(skin_shape_); !removed) return removed;
         colliders_.clear();

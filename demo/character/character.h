@@ -13,60 +13,60 @@
 
 namespace weft::demo {
 
-/// What of the body cloth meets.
+/// The body's colliders.
 enum class BodySurface : std::uint8_t {
-    capsules,  ///< of limbs, on their way: whatever moves fast
-    skin,      ///< triangles that follow the skeleton, where they are at the end of each step
+    capsules,  ///< of limbs, swept over each step: for fast motion
+    skin,      ///< triangles that follow the skeleton, at their places at the end of each step
 };
 
 struct CharacterSettings {
     std::filesystem::path motion;   ///< a BVH file, or a pipe (live_motion.h); empty: the walk that ships
     bool runs = false;              ///< without a motion file: the run that ships
     std::filesystem::path garment;  ///< an OBJ or glTF file; empty: the dress that ships
-    std::uint32_t particles = 0;    ///< of the dress, about; 0: 3100
-    std::uint32_t drawn = 0;        ///< vertices of a finer dress to draw over it, about; 0: none
-    double speed = 1;               ///< of the motion, times its own
-    Vec3 place{};                   ///< on the ground [m]
-    double ahead = 0;               ///< how far into the motion it starts [s]
+    std::uint32_t particles = 0;    ///< of the dress that ships, about; 0: 3100
+    std::uint32_t drawn = 0;        ///< vertices of a finer dress that is drawn instead, about; 0: none
+    double speed = 1;               ///< factor on the motion's own speed
+    Vec3 place{};                   ///< the motion's origin on the ground [m]
+    double ahead = 0;               ///< the motion's own time at its start [s]
     BodySurface surface = BodySurface::capsules;
     ClothSettings cloth{};
 };
 
 class Character {
   public:
-    /// Reads what the settings name. Error: what cannot be read, or who cannot be dressed, and why; of a glTF
-    /// file, whose own body is the skin, also that it has none.
+    /// Reads the files that the settings name. Error: a file that cannot be read, or a garment that does not
+    /// fit, and why; with BodySurface::skin, a glTF file without triangles of a body.
     [[nodiscard]] static Result<Character> create(const CharacterSettings& settings);
 
-    /// Adds cloth, pins, maps and colliders. Error: the World's; what was added before it stays.
+    /// Adds cloth, pins, maps and colliders to the World. Error: the World's; earlier additions stay.
     [[nodiscard]] Result<void> enter(World& world);
-    /// Moves colliders, pins and, where the garment has leashes or backstops, the places they are about, to
-    /// where they are at the end of the step from `time` to `time + dt` [s].
+    /// Moves colliders, pins and the skin targets of leashes and backstops to their places at the end of the
+    /// step from `time` to `time + dt` [s].
     void before_step(World& world, double time, float dt);
 
-    /// Goes there at once, by this about the World's origin, and what is worn goes along as it hangs and
-    /// moves. Error: the World's; who cannot go stays, but for a skin that has no memory.
+    /// Transforms body and garment at once, about the World's origin. The garment keeps its shape and motion
+    /// relative to the body. Error: the World's. If the cloth cannot be moved, nothing is.
     [[nodiscard]] Result<void> teleport(World& world, const Transform& by);
 
-    /// The garment's vertices as they are drawn and written: those that are simulated from the World, fixed
-    /// ones where the body has them. Precondition: one for each of the garment's mesh.
+    /// Writes the garment's vertices for pictures and files: simulated ones from the World, fixed ones at
+    /// their targets on the body. Precondition: one element for each vertex of the garment's mesh.
     void write_back(const World& world, std::span<Vec3> vertices) const;
 
     [[nodiscard]] ClothId cloth() const { return cloth_; }
     [[nodiscard]] const Garment& garment() const { return garment_; }
     [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
-    /// As they are at the end of the step that before_step prepared.
+    /// The limbs at the end of the step that before_step() prepared.
     [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
-    /// Likewise, of BodySurface::skin. The same memory as long as somebody holds it.
+    /// The skin's vertices at the same time [m]; null without a skin. Later steps overwrite this memory.
     [[nodiscard]] const std::shared_ptr<std::vector<Vec3>>& skin_places() const { return skin_places_; }
     [[nodiscard]] const Skin& skin() const { return skin_; }
-    /// Of all vertices, where leashes and backstops are about them; none, where the garment has neither.
+    /// The points that leashes and backstops refer to, by vertex [m]; empty where the garment has neither.
     [[nodiscard]] const std::vector<Vec3>& skin_targets() const { return limit_places_; }
     [[nodiscard]] const Skeleton& skeleton() const { return performance_.skeleton(); }
     [[nodiscard]] const Fit& fitted() const { return fit_; }
     [[nodiscard]] const Body& body() const { return body_; }
     [[nodiscard]] const Pose& pose() const { return pose_; }
-    [[nodiscard]] double dressed_after() const { return fitting_; }  ///< when the fitting is over [s]
+    [[nodiscard]] double dressed_after() const { return fitting_; }  ///< end of the fitting [s]
 
   private:
     Character(Body body, Performance performance, Garment garment, Fit fit,
@@ -84,8 +84,8 @@ class Character {
     Fit fit_;
     CharacterSettings settings_;
     double fitting_ = 0, followed_ = 0;         // followed_: the time of this pose [s]
-    Quaternion turn_ = Quaternion::Identity();  // of the ground that is stood on
-    Vector3 place_;                             // likewise [m]
+    Quaternion turn_ = Quaternion::Identity();  // from the motion's axes to the World's
+    Vector3 place_;                             // the motion's origin in the World [m]
     Binding binding_;
     Pose pose_;
     JointAngles angles_;
@@ -94,7 +94,7 @@ class Character {
     Skin skin_;
     std::shared_ptr<std::vector<Vec3>> skin_places_;
     ShapeId skin_shape_;
-    Binding limits_;  // all vertices, where leashes and backstops are about them
+    Binding limits_;  // skin targets of all vertices, for leashes and backstops
     Pose limits_bound_;
     std::vector<Vec3> normals_, limit_places_, limit_normals_;
     ClothId cloth_;

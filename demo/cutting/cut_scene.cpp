@@ -31,7 +31,7 @@ Result<bool> cut_cloth(World& world, SceneCloth& cloth, std::span<const MeshEdge
 
 namespace {
 
-/// A hem holds: what parted at a pin would hang on two in one place.
+/// Removes the edges at pins: a split there would leave two pins in one place.
 void spare_pins(const ClothView& view, std::vector<MeshEdge>& edges) {
     const auto is_pinned = [&](std::uint32_t vertex) {
         return view.positions[view.vertex_to_particle[vertex]].w == 0;

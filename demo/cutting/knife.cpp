@@ -5,7 +5,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float length = 100.0f;  // from the eye [m]
+constexpr float length = 100.0f;  // of the blade, from the eye [m]
 
 Vec3 tip(const render::Ray& ray) {
     return to_vec3(to_vector(ray.origin) + length * to_vector(ray.direction));

@@ -11,15 +11,14 @@ namespace weft::demo {
 
 class Knife {
   public:
-    /// It is put down where the ray points.
+    /// Begins a stroke at the ray.
     void begin(const Simulation& simulation, const render::Ray& ray);
-    /// It is drawn on to where that ray points, and cuts along the way. Error: cloth that cannot be cut, and
-    /// why; the rest is.
+    /// Continues the stroke to that ray and cuts between. Error: why a cloth cannot be cut; others are.
     Result<void> draw_to(const render::Ray& ray, Simulation& simulation);
 
   private:
     render::Ray last_{};
-    std::vector<CutStroke> strokes_;  // of each cloth of the scene
+    std::vector<CutStroke> strokes_;  // one for each cloth of the scene
 };
 
 }  // namespace weft::demo

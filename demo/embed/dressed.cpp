@@ -1,4 +1,4 @@
-// Somebody dressed, in a host that has its own animation: a skirt on hips and two legs that walk.
+// A dressed body in a host with its own animation: a skirt on hips and two legs that walk.
 
 #include <weft/weft.h>
 
@@ -13,7 +13,7 @@ T need(weft::Result<T> result) {
     if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
-constexpr std::uint32_t rows = 30, columns = 60;  // of the skirt, from the waist down and round it
+constexpr std::uint32_t rows = 30, columns = 60;  // vertices of the skirt, from the waist down and round it
 
 weft::Vec3 on_ring(float radius, float height, std::uint32_t column) {
     const float angle = 6.2831853f * static_cast<float>(column) / columns;
@@ -35,7 +35,7 @@ weft::Mesh make_skirt() {
     return skirt;
 }
 
-// The host's animation: where hips and legs are at a time. Yours is a skeleton.
+// The host's animation: capsules of hips and legs at a time [s]. A real host has a skeleton.
 std::vector<weft::TaperedCapsule> body_at(float time) {
     const float swing = 0.45f * std::sin(5.7f * time), bob = 0.02f * std::cos(11.4f * time);
     std::vector<weft::TaperedCapsule> body{{{-0.04f, 0.95f + bob, 0}, {0.04f, 0.95f + bob, 0}, 0.11f, 0.11f}};

@@ -6,7 +6,7 @@
 
 enum { rows = 16, columns = 24 };
 
-/* As a renderer might have it. */
+/* A vertex as a renderer might have it. */
 typedef struct Vertex {
     float place[3];
     float normal[3];

@@ -18,8 +18,8 @@ T need(weft::Result<T> result) {
     if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
-// What a game draws: each particle between its last two positions, so that motion is smooth at any frame
-// rate.
+// The position that a game draws: between the particle's last two positions, so that motion is smooth at any
+// frame rate.
 weft::Vec3 drawn(const weft::ClothView& cloth, std::size_t i, float alpha) {
     const weft::Vec4 &from = cloth.previous_positions[i], &to = cloth.positions[i];
     const auto blend = [alpha](float a, float b) { return a + alpha * (b - a); };

@@ -1,4 +1,4 @@
-/* A plug-in of some other program, with Weft inside: it shows its own function and none of Weft's. */
+/* A plug-in of some other program, with Weft inside: it exports its own function and none of Weft's. */
 
 #include <weft/weft_c.h>
 
@@ -10,7 +10,7 @@
 
 SHOWN float height_of_falling_cloth(int steps);
 
-/* Negative: it could not be had. */
+/* Height of the sheet's highest point after the steps [m]; -1e9: Weft failed. */
 float height_of_falling_cloth(int steps) {
     WeftWorld* world = NULL;
     WeftMesh* sheet = NULL;

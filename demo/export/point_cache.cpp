@@ -11,7 +11,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "PC2 files are little-endian");
 static_assert(sizeof(Vec3) == 3 * sizeof(float));
 
-constexpr std::streamoff samples_at = 28;  // in the header [bytes]
+constexpr std::streamoff samples_at = 28;  // offset in the header [bytes]
 
 template <class T>
 void put(std::ofstream& stream, const T& value) {

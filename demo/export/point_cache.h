@@ -19,9 +19,9 @@ class PointCache {
     /// Error: the file cannot be written; more than 2^31 - 1 points.
     [[nodiscard]] static Result<PointCache> create(const std::filesystem::path& file, std::size_t points);
 
-    /// Appends a sample. Error: not as many points as were said; the file cannot be written.
+    /// Appends a sample. Error: the number of points is not create()'s; the file cannot be written.
     [[nodiscard]] Result<void> add(std::span<const Vec3> points);
-    /// Says in the file how many samples there are. Error: the file cannot be written.
+    /// Writes the number of samples into the file's header. Error: the file cannot be written.
     [[nodiscard]] Result<void> close();
 
   private:

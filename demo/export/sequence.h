@@ -1,5 +1,5 @@
 #pragma once
-// What a scene's cloths are in frame after frame, as files for other programs.
+// A scene's cloths in all frames, as files for other programs.
 
 #include <optional>
 
@@ -20,7 +20,7 @@ class Sequence {
     /// Begins with the present state as frame 0. Error: a file in the folder cannot be written.
     [[nodiscard]] static Result<Sequence> begin(const Simulation& simulation, SequenceFormat format,
                                                 const std::filesystem::path& folder);
-    /// The next frame.
+    /// Appends the next frame.
     [[nodiscard]] Result<void> add(const Simulation& simulation);
     [[nodiscard]] Result<void> end();
 

@@ -1,5 +1,5 @@
 #pragma once
-// From particles back to the vertices that are drawn or written.
+// Copies particles back to the vertices that are drawn or written.
 
 #include <span>
 
@@ -7,9 +7,9 @@
 
 namespace weft::demo {
 
-/// Each vertex gets its particle's position, but for pinned ones: these stay as the host has put them, which
-/// is to the bit where its other meshes have their borders, so that no cracks open. `vertices`: one for each
-/// of the cloth's mesh.
+/// Gives each vertex its particle's position, except pinned ones. These keep the host's positions, which
+/// match the borders of its other meshes to the bit, so that no cracks open. `vertices`: one for each of the
+/// cloth's mesh.
 void write_back(const ClothView& cloth, std::span<Vec3> vertices);
 
 }  // namespace weft::demo

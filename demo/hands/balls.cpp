@@ -7,10 +7,10 @@
 namespace weft::demo {
 namespace {
 
-constexpr float cellar = -300;        // where balls wait [m]
+constexpr float cellar = -300;        // height at which balls wait [m]
 constexpr float out_of_sight = -5;    // below it a ball is lost [m]
-constexpr float rolling = 0.985f;     // of the speed along the floor, left by each touch
-constexpr float least_bounce = 0.4f;  // [m/s]
+constexpr float rolling = 0.985f;     // share of the speed along the floor that each touch leaves
+constexpr float least_bounce = 0.4f;  // a slower ball does not bounce [m/s]
 
 BodySettings settings_of(float mass) {
     const float inertia = 0.4f * mass * Balls::radius * Balls::radius;

@@ -9,28 +9,28 @@
 
 namespace weft::demo {
 
-/// A few bodies, there from the first throw on: the one that was thrown longest ago is thrown next. They
-/// bounce on the floor at y = 0. Those that nobody has thrown yet fall far below the floor, out of sight.
+/// A few bodies, added to the World at the first throw; the ball thrown longest ago is thrown next. Balls
+/// bounce on the floor at y = 0. Balls that were not thrown yet fall far below the floor, out of sight.
 class Balls {
   public:
     static constexpr std::size_t count = 6;
     static constexpr float radius = 0.11f;  ///< [m]
-    static constexpr float bounce = 0.55f;  ///< of the speed, left by the floor
+    static constexpr float bounce = 0.55f;  ///< share of the speed that the floor leaves
 
-    float mass = 0.45f;  ///< of the next [kg]
-    float speed = 9.0f;  ///< of the next, as it is thrown [m/s]
+    float mass = 0.45f;  ///< of the next ball [kg]
+    float speed = 9.0f;  ///< of the next ball, when thrown [m/s]
 
-    /// From the ray's start along it. Error: the World takes no more bodies.
+    /// Throws a ball from the ray's start along the ray. Error: the World takes no more bodies.
     Result<void> throw_along(World& world, const render::Ray& ray);
-    /// Adds them to the World or takes them out of it, as `there` says: a save has them or not.
+    /// Adds the balls to the World or removes them, as the save that is restored next needs it.
     Result<void> set_there(World& world, bool there);
-    /// Bounces off the floor what comes to it.
+    /// Bounces the balls that reach the floor in the step of dt [s] that follows.
     void before_step(World& world, float dt);
-    /// Their world is gone.
+    /// Call this when their world is gone.
     void forget();
 
     [[nodiscard]] bool are_there() const { return !balls_.empty(); }
-    /// Of those that were thrown. Valid until the next call.
+    /// Colliders of the balls that were thrown. Valid until the next call.
     [[nodiscard]] std::span<const ColliderId> in_play(const World& world);
     [[nodiscard]] std::span<const BodyId> bodies() const { return bodies_; }
 

@@ -10,8 +10,8 @@
 namespace weft::demo {
 namespace {
 
-constexpr float fan_before = 0.9f;         // of the fan before what it blows at [m]
-constexpr float growth_per_notch = 1.08f;  // of a collider that is held, by the wheel
+constexpr float fan_before = 0.9f;         // distance of the fan from its target [m]
+constexpr float growth_per_notch = 1.08f;  // of a held collider, by the wheel
 
 Vec3 looking_along(const render::OrbitCamera& camera) {
     return to_vec3((to_vector(camera.target) - to_vector(camera.eye())).normalized());

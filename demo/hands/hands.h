@@ -1,5 +1,5 @@
 #pragma once
-// All that hands do to a scene, besides its panels.
+// All that the user does to a scene by pointer and keys, besides the panels.
 
 #include <string>
 
@@ -13,38 +13,37 @@
 
 namespace weft::demo {
 
-/// What the World has of hands, to be known again when it is put back to an earlier step.
+/// The hands' traces in the World at a step, needed when that step is restored.
 struct HandMark {
     bool balls = false;
-    ClothId held{};  ///< by a hand that will not be there; null: none
+    ClothId held{};  ///< cloth in a hand, which restoring lets go; null: none
     std::uint32_t vertex = 0;
 };
 
 class Hands {
   public:
-    /// The mouse. The left button takes hold of what it is over: the wind's arrow, a collider, cloth; else it
-    /// turns the camera, as Interaction does. The wheel scales a collider that is held. True if the wind was
-    /// turned.
+    /// Applies the mouse. The left button takes hold of the wind's arrow, a collider or cloth; elsewhere it
+    /// turns the camera, as Interaction does. The wheel scales a held collider. True if the wind was turned.
     bool update(const Pointer& pointer, float aspect, Simulation& simulation, render::OrbitCamera& camera,
                 WindControl& wind);
 
     /// Pins the cloth under the pointer, or lets it go; a grabbed particle stays where it is held.
     Result<void> pin_or_unpin(Simulation& simulation, const render::Ray& ray);
     Result<void> throw_ball(Simulation& simulation, const render::Ray& ray);
-    /// A fan that blows where the pointer is, a step before it.
+    /// Places a fan 0.9 m before the point under the pointer, blowing towards it.
     void blow(const Simulation& simulation, const render::OrbitCamera& camera, const render::Ray& ray);
     void blast(const Simulation& simulation, const render::OrbitCamera& camera, const render::Ray& ray);
 
-    /// Carries what is held over the step of dt [s] that follows, and tells the wind.
+    /// Moves what is held over the step of dt [s] that follows, and updates the wind's air sources.
     void before_step(Simulation& simulation, float dt);
     void after_step(const Simulation& simulation, float dt);
 
     [[nodiscard]] HandMark mark() const;
-    /// Before the World is put back to a step of that mark ...
+    /// Call this before the World is restored to a step with that mark ... ...
     Result<void> prepare(Simulation& simulation, const HandMark& mark);
-    /// ... and after it.
+    /// and this after it.
     void arrive_in(Simulation& simulation, const HandMark& mark);
-    /// A new world: what was held is gone.
+    /// Begins with a new world, in which nothing is held.
     void begin(const Simulation& simulation);
 
     Balls balls;
@@ -55,7 +54,7 @@ class Hands {
     [[nodiscard]] bool holds_arrow() const { return holding_ == Holding::arrow; }
     [[nodiscard]] const HeldCollider& held_collider() const { return collider_; }
     [[nodiscard]] const Interaction& interaction() const { return interaction_; }
-    /// Why cloth could not be cut, told once; empty: it could.
+    /// Why cloth could not be cut, reported once; empty: it could.
     [[nodiscard]] std::string take_complaint() { return interaction_.take_complaint(); }
 
   private:

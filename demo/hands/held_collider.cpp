@@ -48,7 +48,7 @@ void change(Plane& plane, const Vector3& by, float /*factor*/) {
     plane.offset += by.dot(to_vector(plane.normal).normalized());
 }
 
-/// Of the box or ball that a hand may take.
+/// Whether the shape is finite, and one that change() scales.
 bool can_be_held(const Collider& collider) {
     return !std::holds_alternative<Plane>(collider.shape) &&
            !std::holds_alternative<PlacedShape>(collider.shape);
@@ -56,7 +56,7 @@ bool can_be_held(const Collider& collider) {
 
 }  // namespace
 
-// The ray goes on by the distance that is free all round (Hart 1996, "Sphere tracing").
+// Sphere tracing (Hart 1996): each step along the ray is the distance to the nearest surface.
 std::optional<float> distance_to(const Collider& collider, const render::Ray& ray) {
     if (!can_be_held(collider)) return std::nullopt;
     constexpr float farthest = 200, touching = 1e-3f;
@@ -110,7 +110,7 @@ void HeldCollider::before_step(World& world, float dt) {
     const float most = std::pow(max_growth, dt);
     const float factor = std::clamp(wanted_size_ / size_, 1 / most, most);
     std::visit([&](auto& shape) { change(shape, by, factor); }, collider->shape);
-    if (!world.move_collider(id_, *collider)) return end();  // a body's
+    if (!world.move_collider(id_, *collider)) return end();  // a body moves it
     hand_ = to_vec3(to_vector(hand_) + by);
     size_ *= factor;
 }

@@ -7,17 +7,17 @@ struct GLFWwindow;
 
 namespace weft::demo {
 
-/// Asked for at each picture, a key that went down and up in between would be missed: at three pictures a
-/// second that is most of them. Keys have GLFW's numbers.
+/// Records key events. Polling once per picture would miss keys that go down and up in between: at three
+/// pictures a second, most of them. Keys have GLFW's numbers.
 class KeyTaps {
   public:
     KeyTaps() = default;
     KeyTaps(const KeyTaps&) = delete;
     KeyTaps& operator=(const KeyTaps&) = delete;
 
-    /// Listens to a window, before an ImGuiLayer does, as long as both live.
+    /// Receives a window's events while both live. Precondition: the window has no ImGuiLayer yet.
     void listen_to(GLFWwindow* window);
-    /// How often the key was pressed; `repeats`: by being held, too.
+    /// Number of presses of the key; `repeats`: includes the repeats of a held key.
     [[nodiscard]] int count(int key, bool repeats = false) const;
     void forget() { taps_.clear(); }
 

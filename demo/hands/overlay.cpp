@@ -15,9 +15,9 @@ namespace weft::demo {
 namespace {
 
 constexpr ImU32 arrow_colour = IM_COL32(30, 110, 190, 225), held_colour = IM_COL32(70, 165, 250, 255);
-constexpr std::size_t most_pins = 120;  // that are shown: more of them are a seam or a body's own
+constexpr std::size_t most_pins = 120;  // pins that are shown; more are a seam or a body's own
 
-/// Draws in heights of the picture, and in the world.
+/// Draws at points of the world, or at places in picture heights.
 class Pen {
   public:
     explicit Pen(const render::OrbitCamera& camera)
@@ -35,7 +35,7 @@ class Pen {
         const auto a = pixels(from), b = pixels(to);
         if (a && b) list_.AddLine(*a, *b, colour, width);
     }
-    /// Round `middle`, across `axis`.
+    /// A circle round `middle`, normal to `axis`.
     void ring(const Vec3& middle, const Vector3& axis, float radius, ImU32 colour) const {
         const Vector3 other = std::abs(axis.y()) < 0.9f ? Vector3(0, 1, 0) : Vector3(1, 0, 0);
         const Vector3 x = axis.cross(other).normalized(), y = axis.cross(x);
@@ -61,7 +61,7 @@ ImU32 faded(ImU32 colour, float opacity) {
     return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
 }
 
-/// A level arrow round its foot, of the length and towards where its tip is.
+/// Draws the arrow from its foot to its tip, and the wind's speed.
 void draw_arrow(const Pen& pen, const WindArrow& arrow, const WindControl& wind, bool held) {
     const ImVec2 foot = pen.pixels(arrow.foot()), tip = pen.pixels(arrow.tip(wind));
     const float x = tip.x - foot.x, y = tip.y - foot.y, length = std::max(std::hypot(x, y), 1e-3f);
@@ -80,7 +80,7 @@ void draw_arrow(const Pen& pen, const WindArrow& arrow, const WindControl& wind,
     list.AddCircleFilled(foot, 0.8f * width, colour);
     char text[32];
     std::snprintf(text, sizeof text, "wind %.1f m/s", static_cast<double>(wind.speed()));
-    // Beside the foot, on the side that the arrow does not go to.
+    // The text stands beside the foot, on the side away from the tip.
     const float aside = 0.02f * pen.height(), wide = ImGui::CalcTextSize(text).x;
     list.AddText({tip.x < foot.x ? foot.x + aside : foot.x - aside - wide, foot.y + 0.3f * aside},
                  IM_COL32(20, 30, 45, 230), text);

@@ -1,5 +1,5 @@
 #pragma once
-// From the world to the picture and back.
+// Projection from the world to the picture, and back along rays.
 
 #include <optional>
 
@@ -8,10 +8,10 @@
 
 namespace weft::demo {
 
-/// Where a point is in the picture, in heights of it from its upper left corner; none behind the camera.
+/// Place of a point in the picture, in picture heights from the upper left corner; none behind the camera.
 [[nodiscard]] std::optional<Vec2> project(const render::OrbitCamera& camera, const Vec3& point, float aspect);
 
-/// Where the ray first meets cloth: which, at which vertex, and how far along it [m].
+/// The first hit of a ray on cloth: the cloth, the nearest vertex, and the distance along the ray [m].
 struct PointedCloth {
     ClothId cloth;
     std::uint32_t vertex = 0;
@@ -20,7 +20,8 @@ struct PointedCloth {
 };
 [[nodiscard]] std::optional<PointedCloth> pointed_cloth(const Simulation& simulation, const render::Ray& ray);
 
-/// What the ray first meets: cloth, a collider that is drawn, the floor; else as far off as the camera looks.
+/// The ray's first hit on cloth, a drawn collider or the floor, within twice the camera's distance. Without a
+/// hit: the point at the camera's distance.
 [[nodiscard]] Vec3 pointed_place(const Simulation& simulation, const render::OrbitCamera& camera,
                                  const render::Ray& ray);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float frame_seconds = 1.0f / 60.0f;
 
-/// Prints the error, if any, and remembers that there was one.
+/// Prints errors, and remembers whether there was one.
 class Failures {
   public:
     void note(const Result<void>& result) {
@@ -40,7 +40,7 @@ std::filesystem::path picture_file(const Options& options, int frame) {
     return options.out / name;
 }
 
-/// Error: the folder cannot be made, or what the run shall leave cannot be written.
+/// Makes the output folder. Error: it cannot be made, or a file of the run cannot be written.
 Result<void> prepare_files(const Options& options) {
     std::error_code cannot;
     std::filesystem::create_directories(options.out, cannot);
@@ -54,7 +54,7 @@ Result<void> prepare_files(const Options& options) {
     return check_writable("--trace", options.trace);  // it may lie in the same folder
 }
 
-/// What the run met on its way, from all its reports.
+/// The flags of all reports of the run.
 struct Troubles {
     StepFlags flags = StepFlags::none;
     int frames = 0;

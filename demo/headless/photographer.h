@@ -16,13 +16,13 @@ namespace weft::demo {
 
 class Photographer {
   public:
-    /// Draws offscreen; where that cannot be had, behind a window of the display. Error: what both lack.
+    /// Draws offscreen, or with the context of a window where that fails. Error: what both lack.
     [[nodiscard]] static Result<Photographer> create(const Options& options, const Simulation& simulation);
 
-    /// What the driver objected to since the last call, where Options::check_gl asks it.
+    /// The driver's debug messages since the last call, with Options::check_gl.
     [[nodiscard]] std::vector<std::string> take_complaints() { return context_.take_complaints(); }
 
-    /// Notes a step that was taken, for the panels.
+    /// Records the step that was just taken, for the panels.
     void record(const Simulation& simulation);
     /// Writes a PNG of the simulation as it is now.
     [[nodiscard]] Result<void> shoot(Simulation& simulation, const std::filesystem::path& file);
@@ -39,9 +39,9 @@ class Photographer {
     // Destroyed from the last to the first: OpenGL's objects before its context.
     render::Context context_;
     Picture picture_;
-    std::unique_ptr<PanelsInPicture> panels_;  // null where none are to be drawn
+    std::unique_ptr<PanelsInPicture> panels_;  // null: no panels are drawn
     int width_, height_;
-    float turn_ = 0;  // of the camera [rad]
+    float turn_ = 0;  // angle of the camera from the scene's own [rad]
 };
 
 }  // namespace weft::demo

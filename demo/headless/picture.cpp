@@ -107,7 +107,7 @@ void Picture::set_look(const QualityLevel& level, const Inside& inside) {
 }
 
 void Picture::update(const Simulation& simulation) {
-    if (cuts_ != simulation.cuts() || rounds() != shown_rounded_) return show(simulation);  // which updates
+    if (cuts_ != simulation.cuts() || rounds() != shown_rounded_) return show(simulation);  // show() updates
     const std::vector<SceneSolid>& solids = simulation.content().solids;
     for (std::size_t i = 0; i < solids_.size(); ++i)
         if (solids[i].moving) update_solid(solids[i], solids_[i]);
@@ -135,7 +135,8 @@ void Picture::update(const Simulation& simulation) {
 }
 
 void Picture::update_rounded(const ClothView& view, std::size_t index, bool lies_on_itself) {
-    constexpr float most = 0.03f;  // an edge that turns by 14 degrees; contact keeps ten times as much apart
+    constexpr float most = 0.03f;  // an edge that turns by 14 degrees; contact keeps layers 10 times as far
+                                   // apart
     Fine& fine = fine_[index];
     fine.rounded.update(view, {fine.positions, fine.previous_positions, fine.normals},
                         lies_on_itself ? most : 1);

@@ -18,25 +18,25 @@ class Picture {
     /// Precondition: a render::Context is current, here and at every call.
     [[nodiscard]] static Result<Picture> create();
 
-    /// Takes over the cloths of a simulation that was just built, in place of those shown so far.
+    /// Shows the cloths of a simulation that was just built, in place of those shown so far.
     void show(const Simulation& simulation);
-    /// Streams the particles as they are now, and takes over what was cut.
+    /// Streams the particles' present state, and uploads the meshes again after a cut.
     void update(const Simulation& simulation);
-    /// What to draw, with what was thrown into the scene, and lines beside those of the inside. Valid until
-    /// the next call.
+    /// The view to draw, with colliders that were thrown, and `lines` besides those of the inside. Valid
+    /// until the next call.
     [[nodiscard]] const render::View& view(const Simulation& simulation, const render::OrbitCamera& camera,
                                            float alpha, std::span<const ColliderId> thrown = {},
                                            std::span<const render::DrawnLine> lines = {});
 
-    bool shows_wind = true;  ///< as an arrow on the ground
+    bool shows_wind = true;  ///< draws the wind as an arrow on the ground
 
-    /// How good, and what of the inside is shown; looks and triangles of cloth follow at the next update().
+    /// Sets quality and views of the inside; the cloths' looks and triangles follow at the next update().
     void set_look(const QualityLevel& level, const Inside& inside);
-    /// Another simulation of the scene to the right of it, or none, at the next update() of both.
+    /// Shows another simulation of the scene to its right, from the next update() on; null: none.
     void set_beside(const Simulation* other) { other_ = other; }
-    /// How far to the right the other is shown; 0 where there is none [m].
+    /// Distance at which the other is shown to the right [m]; 0 without one.
     [[nodiscard]] float beside() const { return beside_.shown() ? beside_.offset().x : 0; }
-    /// What the lines of the inside are called, where they are.
+    /// The words of the inside, with their places.
     [[nodiscard]] std::span<const ShownWords> words() const { return drawing_.words; }
 
     [[nodiscard]] render::SceneRenderer& renderer() { return renderer_; }
@@ -44,10 +44,10 @@ class Picture {
   private:
     explicit Picture(render::SceneRenderer renderer);
 
-    /// What of a cloth is drawn over it, by vertex.
+    /// A finer mesh that is drawn in place of a cloth's own, by vertex.
     struct Fine {
         std::vector<Vec4> positions, previous_positions, normals, colours;
-        RoundedMesh rounded;  ///< where the cloth's own triangles are drawn by more
+        RoundedMesh rounded;  ///< used where the scene has no finer mesh itself
     };
     void add_collider(const World& world, ColliderId id);
     void show_cloth(const SceneCloth& cloth, const World& world);
@@ -58,17 +58,17 @@ class Picture {
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;
-    std::uint32_t cuts_ = 0;                   // that are shown
+    std::uint32_t cuts_ = 0;                   // number of cuts that are shown
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
     std::vector<render::ClothHandle> solids_;
-    std::vector<Fine> fine_;  // likewise; empty where the cloth itself is drawn
+    std::vector<Fine> fine_;  // as cloths_; empty where the cloth's own mesh is drawn
     Inside inside_;
     const Simulation* other_ = nullptr;
     Beside beside_;
     InsideDrawing drawing_;
-    std::vector<Vec4> colours_;  // of particles
+    std::vector<Vec4> colours_;  // colours of a cloth's particles
     render::Quality quality_;
-    /// Of two that are compared each is drawn as it is.
+    /// Whether meshes are rounded. Two compared simulations are drawn as they are.
     [[nodiscard]] bool rounds() const { return rounded_ && other_ == nullptr; }
     bool rounded_ = true, shown_rounded_ = true;
     std::vector<render::DrawnSphere> spheres_;

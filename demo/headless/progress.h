@@ -1,5 +1,5 @@
 #pragma once
-// Says on standard error how far a long run is.
+// Prints the progress of a long run on standard error.
 
 #include <chrono>
 #include <string>

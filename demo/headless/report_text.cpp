@@ -6,7 +6,7 @@ namespace weft::demo {
 
 namespace {
 
-constexpr float strong_wind = 25;  // that alone makes cloth as fast as it may be [m/s]
+constexpr float strong_wind = 25;  // alone drives cloth to the largest speed [m/s]
 constexpr const char* blown =
     "The wind is so strong that particles were held to the largest speed: take less of it, or heavier cloth.";
 

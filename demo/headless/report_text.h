@@ -12,7 +12,7 @@ namespace weft::demo {
 /// `wind_speed` [m/s]: a strong wind is a cause, too.
 [[nodiscard]] std::string flags_text(StepFlags flags, float wind_speed = 0);
 
-/// The fastest that its gusts blow [m/s].
+/// The wind's greatest speed with its gusts [m/s].
 [[nodiscard]] float speed_of(const Wind& wind);
 
 }  // namespace weft::demo

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int balanced_every = 30;  // steps
 
-/// The scene from its start with the shown one's settings, but for what `change` changes about its cloths.
+/// The scene from its start, with the shown one's settings; `change` alters those of its cloths.
 template <class Change>
 Result<Simulation> again(Simulation& shown, const Change& change) {
     Overrides overrides;
@@ -46,7 +46,7 @@ Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fai
     comparison.fairness_ = fairness;
     auto second = again(shown, [&](ClothSettings& settings) {
         const bool positional = std::holds_alternative<Xpbd>(other) || std::holds_alternative<Fibres>(other);
-        if (positional) settings.fabric.stiffening = 0;  // which they refuse
+        if (positional) settings.fabric.stiffening = 0;  // these methods refuse it
         settings.method = other;
         settings.time_scheme = TimeScheme::of_method;
     });
@@ -73,7 +73,7 @@ void Comparison::step(const Simulation& shown, float dt) {
     if (fairness_ == Fairness::same_time && ++steps_ % balanced_every == 0) balance();
 }
 
-/// As many substeps of the other's cloths as take the shown one's time.
+/// Sets the other's substeps so that both take the same time.
 void Comparison::balance() {
     const int substeps = balanced_substeps(other_.substeps, shown_.milliseconds, other_.milliseconds);
     if (substeps == other_.substeps) return;

@@ -1,6 +1,5 @@
 #pragma once
-// Two ways of computing one scene, side by side, and how far each is from where the exact answer puts the
-// cloth.
+// Two methods on one scene, side by side, and the distance of each from a finely computed reference.
 
 #include <vector>
 
@@ -8,28 +7,28 @@
 
 namespace weft::demo {
 
-/// What the two have in common.
+/// The quantity that is equal for both.
 enum class Fairness {
-    same_steps,  ///< substeps are those that are set
-    same_time,   ///< the other takes as many of its own as fit into the shown one's milliseconds
+    same_steps,  ///< both take the substeps that are set
+    same_time,   ///< the other takes as many substeps as fit into the shown one's time
 };
 
-/// As many substeps as take `shown` milliseconds, where `substeps` take `other`; 1 to 64.
+/// The number of substeps that take `shown` milliseconds, where `substeps` take `other`; 1 to 64.
 [[nodiscard]] int balanced_substeps(int substeps, float shown, float other);
 
 class Comparison {
   public:
-    /// Of a scene that has just begun: the other, and one that is computed so finely that it counts as exact.
-    /// Errors: the scene cannot be built again, or refuses the method.
+    /// Starts the other and the reference, for a scene that has just begun. Errors: the scene cannot be built
+    /// again, or refuses the method.
     [[nodiscard]] static Result<Comparison> start(Simulation& shown, const Method& other, Fairness fairness);
 
-    /// After the shown one's step of dt [s].
+    /// Call this after the shown one's step of dt [s].
     void step(const Simulation& shown, float dt);
 
     struct Side {
-        float milliseconds = 0;         ///< of a step, as a mean over the last second
-        float usual = 0, farthest = 0;  ///< of its particles from the exact one's: rms and most [mm]
-        int substeps = 1;               ///< of the cloth, in each of the world's
+        float milliseconds = 0;         ///< of a step, mean over the last second
+        float usual = 0, farthest = 0;  ///< distance of particles from the reference: rms and most [mm]
+        int substeps = 1;               ///< of the cloth, in each substep of the world
     };
     [[nodiscard]] const Side& shown() const { return shown_; }
     [[nodiscard]] const Side& other() const { return other_; }

@@ -9,7 +9,7 @@
 namespace weft::demo {
 namespace {
 
-/// From -1 to 1, the same for the same number.
+/// A hash of the number, from -1 to 1.
 float scattered(std::uint32_t number) {
     std::uint32_t h = number * 0x9E3779B9u + 0x7F4A7C15u;
     h = (h ^ (h >> 16)) * 0x85EBCA6Bu;
@@ -21,7 +21,7 @@ struct Node {
     std::uint32_t vertex;
 };
 
-/// Triangles between two rings: whichever next node comes first ends the next one.
+/// Appends the triangles between two rings; each ends at the next node by angle, of either ring.
 void join(const std::vector<Node>& inner, const std::vector<Node>& outer, std::vector<Triangle>& triangles) {
     std::size_t i = 0, o = 0;
     while (i + 1 < inner.size() || o + 1 < outer.size()) {
@@ -33,7 +33,7 @@ void join(const std::vector<Node>& inner, const std::vector<Node>& outer, std::v
     }
 }
 
-constexpr float square = 1e-3f;  // of the shadow [m]
+constexpr float square = 1e-3f;  // side of a square of the shadow [m]
 
 /// Marks the squares whose middles are within the triangle, seen from above.
 void shade(const std::array<Vec3, 3>& corners, float left, float back, std::size_t across,

@@ -7,15 +7,14 @@
 
 namespace weft::demo {
 
-/// A disc about the pattern's origin, of `rings` rings of which ring k has 6 k particles, at `height`, flat
-/// but for a fifth of a millimetre, so that it has no reason to fold at one place rather than at another.
+/// A level disc round `middle`, with its pattern round the origin; ring k of `rings` has 6 k particles.
+/// Heights are scattered by 0.2 mm, so that no place is preferred for a fold.
 [[nodiscard]] Mesh drape_disc(float radius, std::uint32_t rings, const Vec3& middle);
 
-/// Of the shadow straight below, by squares of a millimetre [m^2].
+/// Area of the shadow straight below, counted in squares of a millimetre [m^2].
 [[nodiscard]] float shadow_area(const Mesh& mesh, const ClothView& view);
 
-/// The part of the ring beyond the table that still shades the floor: 1 a board, 0 a cloth that hangs
-/// straight.
+/// Share of the ring beyond the table that the shadow covers: 1 for a board, 0 for cloth that hangs straight.
 [[nodiscard]] float drape_coefficient(float shadow, float table_radius, float disc_radius);
 
 }  // namespace weft::demo

@@ -11,8 +11,8 @@ struct State {
     double angle, curvature, x, y;
 };
 
-/// From the clamp, by fourth-order Runge-Kutta; `visit` sees each state, the first one too. Returns the free
-/// end's.
+/// Integrates from the clamp by fourth-order Runge-Kutta; `visit` gets each state, the first one too. Returns
+/// the state at the free end.
 template <class Visit>
 State integrate(double gamma, double curvature, const Visit& visit) {
     const auto slope = [gamma](double s, const State& at) {
@@ -39,9 +39,9 @@ State integrate(double gamma, double curvature, const Visit& visit) {
 }  // namespace
 
 std::vector<Vec2> elastica_curve(double gamma, int points) {
-    // Signs as seen: the strip bends down, so that its angle and curvature are negative from the clamp on.
+    // Signs are as seen: the strip bends down, so angle and curvature are negative from the clamp on.
     const auto nothing = [](const State&) {};
-    double low = -gamma, high = 0;  // of the clamp's curvature; the free end's grows with it
+    double low = -gamma, high = 0;  // bounds of the clamp's curvature; the free end's grows with it
     for (int k = 0; k < 60; ++k) {
         const double middle = (low + high) / 2;
         (integrate(-gamma, middle, nothing).curvature > 0 ? high : low) = middle;

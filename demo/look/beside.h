@@ -10,9 +10,9 @@ namespace weft::demo {
 
 class Beside {
   public:
-    /// Null: nothing is beside. Cloths are made or removed as they are needed.
+    /// Shows `other`, or nothing if it is null. Adds and removes drawn cloths as needed.
     void show(const Simulation* other, const Simulation& first, render::SceneRenderer& renderer);
-    /// Where the other stands from its own place [m].
+    /// Displacement of the other from its own place [m].
     [[nodiscard]] const Vec3& offset() const { return offset_; }
     [[nodiscard]] bool shown() const { return !cloths_.empty(); }
 

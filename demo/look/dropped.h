@@ -8,12 +8,12 @@ struct GLFWwindow;
 
 namespace weft::demo {
 
-/// From here on they are remembered.
+/// Begins to remember files that are dropped on the window.
 void remember_dropped_files(GLFWwindow* window);
-/// Those since the last call.
+/// The files dropped since the last call.
 [[nodiscard]] std::vector<std::filesystem::path> take_dropped_files();
 
-/// What a file is, by the end of its name; a glTF file by whether anybody is in it.
+/// The kind of a file, by its extension. A glTF file with a skin is a character, else a garment.
 enum class FileKind { settings, garment, character, unknown };
 [[nodiscard]] FileKind kind_of(const std::filesystem::path& file);
 

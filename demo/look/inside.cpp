@@ -8,20 +8,20 @@
 namespace weft::demo {
 namespace {
 
-/// Blue over green to red.
+/// The colour scale, from blue (0) over green to red (1).
 Vec4 heat(float share) {
     const float t = std::clamp(share, 0.0f, 1.0f);
     const auto bump = [t](float middle) { return std::clamp(1.5f - std::abs(4 * t - middle), 0.0f, 1.0f); };
     return {0.8f * bump(3), 0.7f * bump(2), 0.8f * bump(1), 0.9f};
 }
 
-/// The flat shape that strain is measured from.
+/// Rest length of an edge, in the flat pattern where the mesh has one.
 float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     if (mesh.pattern.empty()) return (to_vector(mesh.positions[a]) - to_vector(mesh.positions[b])).norm();
     return std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);
 }
 
-/// The greatest of the edges at each particle.
+/// Colours each particle by the greatest `measure` of its edges.
 void collect(const Mesh& mesh, const ClothView& view, std::vector<Vec4>& colours, const auto& measure) {
     std::vector<float> most(view.positions.size(), 0.0f);
     for (const Triangle& triangle : mesh.triangles) {

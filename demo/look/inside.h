@@ -1,5 +1,5 @@
 #pragma once
-// What somebody wants to see of the inside of the cloth.
+// Views into the cloth's state: wireframe, colours by a quantity, lines and words.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace weft::demo {
 
-/// What the cloth's own colour gives way to.
+/// The quantity that replaces the cloth's own colour.
 enum class ShownAsColour { nothing, strain, bending, speed };
 
 struct Inside {
@@ -29,13 +29,12 @@ struct InsideDrawing : Annotation {
     void take(const World& world, DebugParts parts);
 };
 
-/// Each particle's colour and how much of it covers the fabric's: blue where there is little of what is
-/// shown, red at strain 5 %, at a bend of 45 degrees between neighbours, or at 10 m/s. Empty for nothing.
-/// `mesh`: the cloth's, at rest.
+/// Colours of particles, for ClothFrame::colours: blue for small values, red at strain 5 %, at a bend of 45
+/// degrees between neighbours, or at 10 m/s. Empty for ShownAsColour::nothing. `mesh`: the cloth's rest mesh.
 void colour_particles(ShownAsColour what, const Mesh& mesh, const ClothView& view,
                       std::vector<Vec4>& colours);
 
-/// What its ends mean, for a legend.
+/// The meaning of the colour scale's ends, for a legend.
 [[nodiscard]] const char* scale_of(ShownAsColour what);
 
 }  // namespace weft::demo

@@ -1,5 +1,5 @@
 #pragma once
-// How things look and are looked into, as the panels set it and the program draws it.
+// Settings of the picture, as the panels set them and the program draws them.
 
 #include <optional>
 #include <string>
@@ -17,16 +17,16 @@ struct Look {
     Inside inside;
     Recorder recorder;
     PictureTimes times;
-    bool wants_picture = false;                   ///< to be saved
+    bool wants_picture = false;                   ///< a picture is to be saved
     bool wants_film = false;                      ///< recording is to begin or to end
-    bool wants_save = false, wants_load = false;  ///< of settings, as settings_file says
+    bool wants_save = false, wants_load = false;  ///< settings, to or from settings_file
     std::string settings_file = "weft-settings.json";
     std::optional<Comparison> comparison;
-    bool wants_comparison = false;  ///< the scene begins anew with one
+    bool wants_comparison = false;  ///< the scene is to restart with a comparison
     Method compared = Xpbd{};
     Fairness fairness = Fairness::same_time;
-    bool by_processor = false;  ///< pictures are drawn
-    float text_size = 1;        ///< over the display's own
+    bool by_processor = false;  ///< a processor draws the pictures
+    float text_size = 1;        ///< factor on the display's own size
 };
 
 }  // namespace weft::demo

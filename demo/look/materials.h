@@ -1,5 +1,5 @@
 #pragma once
-// Materials that people know by name: how they move and how they look.
+// Well-known materials: how they move and how they look.
 
 #include <span>
 
@@ -12,13 +12,13 @@ struct Material {
     const char* name;
     Fabric fabric;
     render::FabricLook look;
-    const char* note;  ///< what one will see, and where the figures are from
+    const char* note;  ///< its visible behaviour, and the source of the figures
 };
 [[nodiscard]] std::span<const Material> materials();
 
 /// One number for warp and weft, their geometric mean [N/m].
 [[nodiscard]] float stiffness_of(const Fabric& fabric);
-/// Scales warp, weft and shear, so that the mean is that.
+/// Scales warp, weft and shear, so that stiffness_of() becomes `stiffness`.
 void set_stiffness(Fabric& fabric, float stiffness);
 
 }  // namespace weft::demo

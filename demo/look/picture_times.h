@@ -1,5 +1,5 @@
 #pragma once
-// Where the time of a picture goes: the cloth's steps, the drawing, and the rest.
+// Times of pictures, in parts: the cloth's steps, the drawing, and the rest.
 
 #include <array>
 #include <cstddef>
@@ -7,9 +7,9 @@
 namespace weft::demo {
 
 struct PictureTime {
-    float cloth = 0;    ///< all steps that were taken for it [ms]
+    float cloth = 0;    ///< all steps taken for the picture [ms]
     float drawing = 0;  ///< [ms]
-    float whole = 0;    ///< from the last picture to it [ms]
+    float whole = 0;    ///< since the last picture [ms]
     [[nodiscard]] float rest() const { return whole > cloth + drawing ? whole - cloth - drawing : 0; }
 };
 
@@ -18,16 +18,16 @@ class PictureTimes {
     static constexpr std::size_t length = 180;
 
     void add_step(float milliseconds) { present_.cloth += milliseconds; }
-    /// The picture is done.
+    /// Ends a picture. Times in [ms].
     void add_picture(float drawing, float whole);
     void clear() { *this = {}; }
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// `age` pictures before the last. Precondition: age < size().
+    /// The times `age` pictures before the last. Precondition: age < size().
     [[nodiscard]] const PictureTime& at(std::size_t age) const {
         return times_[(next_ + length - 1 - age) % length];
     }
-    /// The value that a share `p` of the pictures does not exceed; zeros while there is none.
+    /// The value that a share `p` of the pictures does not exceed; zeros without pictures.
     [[nodiscard]] PictureTime percentile(float p) const;
 
   private:
@@ -36,8 +36,8 @@ class PictureTimes {
     std::size_t size_ = 0, next_ = 0;
 };
 
-/// Why time is lost, in words: what of a picture takes most, and what helps. `drawing_chosen`: pictures are
-/// made as fast as they can be by themselves.
+/// The slowest part of a picture and its remedy, in words. `drawing_chosen`: pictures are drawn at the
+/// fastest quality already.
 [[nodiscard]] const char* what_is_slow(const PictureTime& usual, bool drawing_chosen);
 
 }  // namespace weft::demo

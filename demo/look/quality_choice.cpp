@@ -13,7 +13,7 @@ constexpr render::Quality of_resolution(render::Quality quality, float resolutio
     return quality;
 }
 
-// Costs by llvmpipe at 1280 x 800, the flag: 200 ms at best.
+// Costs were measured by llvmpipe at 1280 x 800, the flag: 200 ms at the best level.
 constexpr QualityLevel ladder[] = {
     {"best", {}, "", true, 1},
     {"good",
@@ -60,7 +60,7 @@ void QualityChoice::add(float milliseconds) {
     if (level_ > 0 && expected(level_ - 1, now) < 0.8f * limit()) move_to(level_ - 1);
 }
 
-/// What a level will take: what it took, by how the present one has changed since; else by the ladder's cost.
+/// Expected time of a level [ms]: by the ladder's costs, and at least its last median.
 float QualityChoice::expected(int level, float now) const {
     const auto there = static_cast<std::size_t>(level), here = static_cast<std::size_t>(level_);
     const float by_cost = now * ladder[there].cost / ladder[here].cost;

@@ -1,5 +1,5 @@
 #pragma once
-// How good pictures are, chosen by what they take.
+// Chooses the quality of pictures by their drawing times.
 
 #include <array>
 #include <span>
@@ -8,28 +8,28 @@
 
 namespace weft::demo {
 
-/// A step of the ladder from good to fast.
+/// A level of the ladder from best to fastest.
 struct QualityLevel {
     const char* name;
     render::Quality quality;
-    const char* left_out;  ///< in words, what the best has and this has not; "" if nothing
-    bool rounded;          ///< cloth is drawn by more triangles than it is made of
-    float cost;            ///< about, over that of the best, where a processor draws
+    const char* left_out;  ///< what is missing against the best, in words; "" if nothing
+    bool rounded;          ///< cloth is drawn by RoundedMesh
+    float cost;            ///< drawing time over that of the best, about, by a processor
 };
-/// From the best to the fastest.
+/// The levels, from the best to the fastest.
 [[nodiscard]] std::span<const QualityLevel> quality_levels();
 
 class QualityChoice {
   public:
     bool automatic = true;
-    float pictures_a_second = 30;  ///< at least; drawing may take two thirds of a picture's time
+    float pictures_a_second = 30;  ///< least rate; drawing may take two thirds of a picture's time
 
-    /// What drawing a picture at the present level took [ms]. Levels change by the median of some pictures:
-    /// down as soon as it is too much, up where what the better one will take is clearly within the limit.
+    /// Adds a picture's drawing time at the present level [ms]. The median of eight decides: above limit()
+    /// the level drops; it rises if the better level's expected time is below 0.8 limit().
     void add(float milliseconds);
-    void choose(int level);    ///< by hand
-    void start_at(int level);  ///< it stays automatic
-    /// The window has another size: what was measured does not hold any more.
+    void choose(int level);    ///< chooses a level by hand: `automatic` ends
+    void start_at(int level);  ///< the choice stays automatic
+    /// Discards the measured times: call this when the window's size has changed.
     void forget();
 
     [[nodiscard]] int level() const { return level_; }
@@ -40,14 +40,14 @@ class QualityChoice {
 
   private:
     static constexpr std::size_t sample = 8, levels = 6;
-    static constexpr int settling = 4;  ///< pictures after a change whose times are not its own yet
+    static constexpr int settling = 4;  ///< pictures after a change whose times are ignored
     [[nodiscard]] float expected(int level, float now) const;
     void move_to(int level);
 
     int level_ = 0, waiting_ = settling;
     std::size_t count_ = 0;
     std::array<float, sample> times_{};
-    std::array<float, levels> measured_{};  // 0: not yet
+    std::array<float, levels> measured_{};  // median of each level [ms]; 0: none yet
 };
 
 }  // namespace weft::demo

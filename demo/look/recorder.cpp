@@ -21,7 +21,7 @@ std::filesystem::path numbered(const std::filesystem::path& folder, const char* 
     return folder / name.data();
 }
 
-/// The first of weft-0001, weft-0002, ... that is not there.
+/// The first unused name of weft-0001, weft-0002, and so on; at most number 9999.
 std::filesystem::path free_name(const std::filesystem::path& folder, const char* form) {
     std::error_code ignored;
     int number = 1;
@@ -29,7 +29,7 @@ std::filesystem::path free_name(const std::filesystem::path& folder, const char*
     return numbered(folder, form, number);
 }
 
-/// True if it ran and exited with 0. Its output is thrown away.
+/// Runs a program and discards its output. True if it exited with 0.
 bool run(std::vector<std::string> arguments) {
     std::vector<char*> argv;
     for (std::string& each : arguments) argv.push_back(each.data());

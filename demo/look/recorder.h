@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of the window as files: one, or all until told to stop.
+// Pictures of the window as files: one, or all until stop().
 
 #include <filesystem>
 #include <string>
@@ -10,24 +10,24 @@ namespace weft::demo {
 
 class Recorder {
   public:
-    static constexpr float pictures_a_second = 30;  ///< of a film; the scene's time passes by that
+    static constexpr float pictures_a_second = 30;  ///< of a film, in the scene's time
 
     explicit Recorder(std::filesystem::path folder = ".") : folder_(std::move(folder)) {}
 
     /// Writes weft-0001.png, or the next number that is free. Error: the file cannot be written.
     [[nodiscard]] Result<std::filesystem::path> save(const render::Image& image);
 
-    /// From here on pictures go into a folder of their own. Error: it cannot be made.
+    /// Starts a film: add() writes its pictures into a new folder. Error: the folder cannot be made.
     [[nodiscard]] Result<void> start();
     [[nodiscard]] Result<void> add(const render::Image& image);
-    /// What there is now, in words: a film where ffmpeg is found, else the folder with the pictures.
+    /// Ends the film. Returns in words what was written: a film where ffmpeg is found, else pictures.
     [[nodiscard]] Result<std::string> stop();
 
     [[nodiscard]] bool recording() const { return !film_.empty(); }
     [[nodiscard]] int pictures() const { return pictures_; }
 
   private:
-    std::filesystem::path folder_, film_;  // film_: the folder of its pictures; empty while none is recorded
+    std::filesystem::path folder_, film_;  // film_: folder of the film's pictures; empty: none is recorded
     int pictures_ = 0;
 };
 

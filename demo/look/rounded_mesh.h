@@ -1,6 +1,5 @@
 #pragma once
-// Four triangles drawn for each one of the cloth's, so that folds and edges are round where triangles are
-// coarse.
+// A finer mesh for drawing: four triangles for each of the cloth's, so that folds of coarse meshes are round.
 
 #include <array>
 #include <cstdint>
@@ -11,8 +10,8 @@
 
 namespace weft::demo {
 
-/// Vertices of the mesh, then one in the middle of each edge, drawn from the flat triangle towards the planes
-/// of the edge's normals (Boubekeur, Alexa, "Phong tessellation", 2008).
+/// The mesh's vertices, then one per edge: the edge's middle, moved towards the tangent planes at its ends
+/// (Boubekeur, Alexa, "Phong tessellation", 2008).
 class RoundedMesh {
   public:
     RoundedMesh() = default;
@@ -22,14 +21,13 @@ class RoundedMesh {
     [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
     [[nodiscard]] std::span<const Vec2> texcoords() const { return texcoords_; }
 
-    /// Spans of size(), by vertex.
+    /// Results by vertex, in spans of size().
     struct To {
         std::span<Vec4> positions, previous_positions, normals;
     };
-    /// Middles go out no farther than `most` of their edges' lengths: cloth that lies on itself would be seen
-    /// through itself.
+    /// Middles move by at most `most` of their edges' lengths; more lets drawn layers in contact intersect.
     void update(const ClothView& cloth, const To& to, float most = 1) const;
-    /// What is given for particles, for vertices.
+    /// Interpolates a quantity of particles to vertices.
     void spread(const ClothView& cloth, std::span<const Vec4> particles, std::span<Vec4> to) const;
 
   private:

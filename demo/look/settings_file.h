@@ -1,5 +1,5 @@
 #pragma once
-// What the panels can set, as a JSON file:
+// Settings that the panels can change, as a JSON file:
 //
 //     {"scene": "flag",
 //      "wind": {"velocity": [6, 0, 1], "gusts": 0.5, "swirl_size": 0.8},
@@ -7,11 +7,11 @@
 //      "material": {"areal_density": 0.12, "warp": 400, "weft": 400, "shear": 100, "bending": 5e-6,
 //                   "damping": 2e-4, "stiffening": 0, "bending_ratio": 1},
 //      "method": "multilevel", "iterations": 3, "cloth_substeps": 1,
-//      "self_collision": "avoidance", "layers_apart": 0, "air_drag": 0.2, "gap_to_bodies": 0.005, "friction":
-//      1}
+//      "self_collision": "avoidance", "layers_apart": 0, "air_drag": 0.2, "gap_to_bodies": 0.005,
+//      "friction": 1}
 //
-// in metres, seconds and kilograms. What is left out stays as it is; "iterations" are the passes of the
-// method multilevel.
+// Units are metres, seconds and kilograms. A key that is left out changes nothing; "iterations" are the
+// passes of the method multilevel.
 
 #include <filesystem>
 #include <string>
@@ -24,8 +24,8 @@ namespace weft::demo {
 /// Error: the file cannot be written.
 [[nodiscard]] Result<void> save_settings(const std::filesystem::path& file, const Simulation& simulation);
 
-/// Gives the world and all cloths what the file says, or, with an error, nothing. Errors name the file and
-/// the key, and say what would be right.
+/// Applies the file to the world and all cloths; with an error nothing changes. Errors name the file and the
+/// key, and say which values are valid.
 [[nodiscard]] Result<void> load_settings(const std::filesystem::path& file, Simulation& simulation);
 
 }  // namespace weft::demo

@@ -115,7 +115,7 @@ const Number* find(const std::vector<Number>& numbers, const std::string& key) {
     return nullptr;
 }
 
-/// An object of numbers.
+/// Reads an object of numbers; its velocity is left to read_velocity().
 Result<void> read_numbers(const std::filesystem::path& file, const char* name, const Json& json,
                           const std::vector<Number>& numbers, Read& read) {
     if (!json.is_object()) return malformed(file, std::string(name) + " must be an object");
@@ -211,7 +211,7 @@ Result<SettingsValues> read_settings(const std::filesystem::path& file, const Wo
 
 namespace {
 
-/// The shortest that reads back as the same float.
+/// The shortest decimal number that reads back as the same float.
 Json shortest(float value) {
     if (std::round(value) == value && std::abs(value) < 1e6f) return static_cast<long long>(value);
     std::array<char, 32> text{};

@@ -1,5 +1,5 @@
 #pragma once
-// The text of a file of settings, and what it sets (settings_file.h).
+// Writes and reads the text of a file of settings (settings_file.h).
 
 #include <filesystem>
 #include <string>
@@ -15,12 +15,13 @@ struct SettingsValues {
 
 [[nodiscard]] std::string settings_text(const std::string& scene, const SettingsValues& present);
 
-/// The settings with what the file names in their place. Errors name the file and the key, and say what would
-/// be right.
+/// The given settings, replaced by the file's where it names them. Errors name the file and the key, and say
+/// which values are valid.
 [[nodiscard]] Result<SettingsValues> read_settings(const std::filesystem::path& file,
                                                    const WorldSettings& world, const ClothSettings& cloth);
 
-/// The scene that a file of settings names; "" if none. Errors: it cannot be read, or is no JSON object.
+/// The scene that a file of settings names; "" if none. Errors: no readable JSON object; the scene is no
+/// string.
 [[nodiscard]] Result<std::string> scene_of_settings(const std::filesystem::path& file);
 
 }  // namespace weft::demo

@@ -32,10 +32,10 @@ std::string begin_or_end_film(Recorder& recorder) {
     return stopped ? "recorded " + *stopped : stopped.error().message;
 }
 
-/// With an edge, to be read on anything.
+/// Draws words with a contrasting shadow, legible on any background.
 void draw(const ShownWords& words, const render::OrbitCamera& camera) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const auto seen = project(camera, words.at, size.x / size.y);  // in heights
+    const auto seen = project(camera, words.at, size.x / size.y);  // in picture heights
     if (!seen) return;
     const ImVec2 place(size.y * seen->x, size.y * seen->y);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -58,7 +58,7 @@ void begin_look(Picture& picture, Look& look) {
 void draw_picture(Picture& picture, const render::View& view, int width, int height, Look& look) {
     const Clock::time_point start = Clock::now();
     picture.renderer().draw(view, width, height);
-    // A processor is waited for, since it can do nothing else meanwhile; a graphics card says later.
+    // A drawing processor is waited for, since it can do nothing else; a graphics card reports later.
     if (look.by_processor) picture.renderer().wait();
     const float took =
         look.by_processor ? milliseconds_since(start) : picture.renderer().draw_times().total();
@@ -86,10 +86,10 @@ void draw_names(const Picture& picture, const Simulation& shown, const Compariso
 
 void make_room_beside(render::OrbitCamera& camera, float beside, float& before) {
     if (beside == before) return;
-    constexpr float part = 0.55f;  // of the other's distance: what was seen had some room
+    constexpr float part = 0.55f;  // share of the distance: the view had some room
     if (before > 0) {
         camera.target.x -= 0.5f * before;
-        camera.distance = std::max(0.2f, camera.distance - part * before);  // somebody may have come near
+        camera.distance = std::max(0.2f, camera.distance - part * before);  // the user may have zoomed in
     }
     camera.target.x += 0.5f * beside;
     camera.distance += part * beside;
@@ -103,7 +103,7 @@ std::string save_pictures(Picture& picture, const render::View& view, int width,
     if (!one && !look.recorder.recording()) return words;
     render::View best = view;
     best.quality = {};
-    best.camera.shift = 0;  // panels cover nothing of it
+    best.camera.shift = 0;  // no panels cover the saved picture
     best.camera.shrink = 1;
     const render::Image image = picture.renderer().capture(best, width, height);
     if (one) words = told(look.recorder.save(image));

@@ -1,5 +1,5 @@
 #pragma once
-// The look's part of a picture in the window.
+// Draws, names and saves the window's pictures, by the look.
 
 #include "demo/hands/key_taps.h"
 #include "demo/headless/picture.h"
@@ -7,29 +7,29 @@
 
 namespace weft::demo {
 
-/// Where a processor draws, quality starts low and rises.
+/// Starts quality low where a processor draws; it rises later.
 void begin_look(Picture& picture, Look& look);
 
-/// Draws the view, and chooses the quality of the next picture by what this one took.
+/// Draws the view, and chooses the quality of the next picture by this one's time.
 void draw_picture(Picture& picture, const render::View& view, int width, int height, Look& look);
 
-/// Words of the inside over the picture, between the panels' begin() and end().
+/// Draws the inside's words over the picture. Called between the panels' begin() and end().
 void draw_words(const Picture& picture, const render::OrbitCamera& camera);
 
-/// Likewise what each of the compared is computed by, over it.
+/// Draws the method's name over each of the compared cloths. Called where draw_words() is.
 void draw_names(const Picture& picture, const Simulation& shown, const Comparison& comparison,
                 const render::OrbitCamera& camera);
 
-/// Moves the camera so that what stands beside the scene is seen as well; `beside` is how far away that is,
-/// and was at the last call. Puts it back once it is 0.
+/// Moves the camera so that both compared scenes are seen; 0 moves it back. `beside`: distance of the second
+/// scene [m]; `before`: that of the last call.
 void make_room_beside(render::OrbitCamera& camera, float beside, float& before);
 
-/// Saves and records what the look asks for, of the view as it is shown but for what panels cover. What came
-/// of it, in words; empty: nothing.
+/// Saves and records the pictures that the look asks for, at full quality and without space for panels.
+/// Returns the outcome in words; empty: nothing was done.
 [[nodiscard]] std::string save_pictures(Picture& picture, const render::View& view, int width, int height,
                                         Look& look);
 
-/// F2, F5 and F6; true if panels are to be shown or hidden.
+/// Reads F2, F5 and F6. True: panels are to be shown or hidden.
 [[nodiscard]] bool read_look_keys(const KeyTaps& keys, Look& look);
 
 }  // namespace weft::demo

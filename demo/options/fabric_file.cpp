@@ -43,7 +43,7 @@ std::string all_keys() {
     return all;
 }
 
-/// Complaints about one file.
+/// Makes errors about one file.
 class Complaints {
   public:
     explicit Complaints(const std::filesystem::path& file) : file_(file.string()) {}
@@ -76,7 +76,7 @@ Result<Fabric> read_own(const Json& json, const Complaints& complain) {
     return fabric;
 }
 
-/// `rows` rows of `columns` numbers; none if it is not that.
+/// Reads a table of `rows` rows of `columns` numbers; none if the value is no such table.
 std::optional<std::vector<std::vector<double>>> read_table(const Json& file, const char* key,
                                                            std::size_t rows, std::size_t columns) {
     const auto found = file.find(key);
@@ -91,7 +91,7 @@ std::optional<std::vector<std::vector<double>>> read_table(const Json& file, con
     return table;
 }
 
-/// Of the positive ones, since a fit that fails shows as a negative stiffness; 0 if there are none.
+/// Mean of the positive values, since a negative stiffness marks a fit that failed; 0 if there are none.
 double mean_of_positive(const std::vector<std::vector<double>>& table, std::size_t first, std::size_t last) {
     double sum = 0;
     int count = 0;
@@ -106,13 +106,13 @@ double mean_of_positive(const std::vector<std::vector<double>>& table, std::size
 
 constexpr int strains = 40;
 constexpr double last_strain = 1.0 / 6;
-using Curve = std::array<double, strains>;  // over strains up to the last
+using Curve = std::array<double, strains>;  // tensions at strains up to last_strain
 
 double strain_at(int k) {
     return last_strain * (k + 1) / strains;
 }
 
-/// Tension per width where stiffness is `at_rest`, and `stretched` at the last strain.
+/// Tension per width where stiffness is linear from `at_rest` to `stretched` at the last strain.
 Curve tension(double at_rest, double stretched) {
     Curve curve{};
     for (int k = 0; k < strains; ++k) {
@@ -123,9 +123,9 @@ Curve tension(double at_rest, double stretched) {
 }
 
 struct Fit {
-    double stiffness, error;  ///< error: the greatest, over the greatest tension
+    double stiffness, error;  ///< error: the greatest residual over the greatest tension
 };
-/// Of K e (1 + stiffening e), by least squares.
+/// Fits K e (1 + stiffening e) to the curve by least squares.
 Fit fit(const Curve& curve, double stiffening) {
     double product = 0, square = 0, greatest = 0, error = 0;
     const auto shape = [&](int k) { return strain_at(k) * (1 + stiffening * strain_at(k)); };
@@ -141,7 +141,7 @@ Fit fit(const Curve& curve, double stiffening) {
     return {product / square, greatest > 0 ? error / greatest : 0};
 }
 
-/// K along both axes, and the stiffening that suits both best.
+/// K along both axes, and the stiffening with the least greatest error of both.
 struct StretchFit {
     double c11, c22, stiffening;
 };

@@ -14,12 +14,12 @@ namespace weft::demo {
 struct Options : SimulationOptions {
     bool headless = false;
     bool panels = false;             ///< draw the panels into headless pictures too
-    std::optional<int> frames;       ///< headless default_frames; in a window until it is closed
+    std::optional<int> frames;       ///< empty: headless default_frames; in a window until it is closed
     int every = 0;                   ///< a picture of every n-th frame too; 0: of the last only
     int width = 1280, height = 800;  ///< of window and pictures [pixels]
-    double turn = 0;                 ///< of the camera round the scene, from its own place [degrees]
+    double turn = 0;                 ///< angle of the camera round the scene, from its own place [degrees]
     std::filesystem::path out = "out";
-    std::optional<SequenceFormat> sequence;  ///< of all frames, into `out`; none: none is written
+    std::optional<SequenceFormat> sequence;  ///< format of the frames' cloth in `out`; none: none is written
     std::filesystem::path trace;             ///< empty: none is kept
     bool check_gl = false;                   ///< the driver checks each call
 

@@ -1,6 +1,5 @@
 #pragma once
-// What the command lines of weft_demo and weft_profile have in common: which scene, and what about it is
-// other.
+// Options that weft_demo and weft_profile have in common: the scene, and changes to it.
 
 #include <charconv>
 #include <filesystem>
@@ -24,8 +23,7 @@ struct SimulationOptions {
     std::filesystem::path settings;  ///< JSON file; empty: none
 };
 
-/// What the program prints instead of running, and the status that it exits with: 0 for --help, 2 for bad
-/// arguments.
+/// Text that the program prints instead of running, and its exit status: 0 for --help, 2 for bad arguments.
 struct EarlyExit {
     int status = 0;
     std::string text;
@@ -33,12 +31,12 @@ struct EarlyExit {
 
 void add_simulation_options(CLI::App& app, SimulationOptions& options);
 
-/// Whether a file can be written there, tried before a long run; what is there stays as it is. Error: it
-/// cannot. An empty path is no file, and none is needed.
+/// Checks before a long run that a file can be written; an existing file stays as it is. Error: it cannot be
+/// written. An empty path passes.
 [[nodiscard]] Result<void> check_writable(const char* option, const std::filesystem::path& file);
 
-/// The status to exit with: 1 in place of 0, with a line on standard error, where standard output took not
-/// all that was printed, as on a full disk.
+/// The exit status: 1 in place of 0, with a line on standard error, if standard output lost text, as on a
+/// full disk.
 [[nodiscard]] int ended(const char* program, int status);
 
 /// A line for each scene.
@@ -48,11 +46,11 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options);
 /// one that has none, with it.
 [[nodiscard]] Result<const SceneEntry*> choose_scene(const SimulationOptions& options);
 
-/// The scene, then its file of settings, then what is asked for expressly. Errors: choose_scene()'s,
+/// Builds the scene, applies its file of settings, then the explicit options. Errors: choose_scene()'s,
 /// Simulation::create()'s, load_settings()'s.
 [[nodiscard]] Result<Simulation> start_simulation(const SimulationOptions& options);
 
-/// Fills what the app's options lead to; empty: it went well.
+/// Parses the arguments into the app's options; empty: success.
 [[nodiscard]] std::optional<EarlyExit> parse(CLI::App& app, int argc, const char* const* argv);
 
 /// "1,-2.5,0" or "1280x800": exactly as many numbers as `values` holds, with `separator` between them.

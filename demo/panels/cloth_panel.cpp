@@ -11,7 +11,7 @@
 namespace weft::demo {
 namespace {
 
-/// What people know by name, then what was measured; "own" where the sliders have made another.
+/// The fabric's name among materials(), else among fabrics(); "own" where sliders have changed it.
 const char* material_name(const Fabric& fabric) {
     for (const Material& each : materials())
         if (each.fabric == fabric) return each.name;
@@ -27,7 +27,7 @@ bool choice(const char* name, const char* note, const Fabric& offered, Fabric& f
     return taken;
 }
 
-/// A new material gives the cloth its threads, too.
+/// A menu of materials. `woven`: the chosen material, whose threads the cloth gets, too.
 bool material_menu(Fabric& fabric, const Material*& woven) {
     bool changed = false;
     if (ImGui::BeginCombo("material", material_name(fabric), ImGuiComboFlags_HeightLargest)) {
@@ -47,7 +47,7 @@ bool material_menu(Fabric& fabric, const Material*& woven) {
     return changed;
 }
 
-/// Others refuse it.
+/// Whether these settings accept stiffening.
 bool can_stiffen(const ClothSettings& settings) {
     return !settings.finite_elements.enabled && !std::holds_alternative<Xpbd>(settings.method) &&
            !std::holds_alternative<Fibres>(settings.method);

@@ -38,7 +38,7 @@ Section::Section(const char* title, bool open_at_first) {
     open_ = ImGui::CollapsingHeader(title,
                                     open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
     ImGui::PushID(title);
-    // Labels stand to the right of what they name; a narrow column gives them more of itself.
+    // Labels stand to the right of their widgets; a narrow column gives them a larger share.
     ImGui::PushItemWidth(-std::min(9.0f * ImGui::GetFontSize(), 0.46f * ImGui::GetContentRegionAvail().x));
 }
 

@@ -5,18 +5,18 @@
 
 namespace weft::demo {
 
-/// Of the column at this size of the window: about 24 letters wide where there is room, never more than
-/// what leaves the scene the larger half [pixels].
+/// Width of the column in a window of this size [pixels]: 23 font sizes, at most 0.45 of the window, so that
+/// the scene has the larger half.
 [[nodiscard]] float column_width(ImVec2 window, float font_size);
 
 /// Opens the column's window; with `collapsed` a tab that opens it. True if panels are to follow; close with
 /// ImGui::End() in either case.
 bool begin_column(bool& collapsed);
 
-/// All sections and folds are open, whatever was clicked: for tests.
+/// Opens all sections and folds, whatever was clicked; for tests.
 inline bool all_open = false;
 
-/// What is seldom wanted, under a title of its own; close with ImGui::TreePop() where it is open.
+/// Begins a fold, for controls that are seldom needed; if it is open, close it with ImGui::TreePop().
 [[nodiscard]] bool begin_fold(const char* title);
 
 /// A part of the column under a title that folds it away.

@@ -22,7 +22,7 @@ void settings_buttons(Look& look) {
     tooltip("Gives the cloth and the wind what the file says.");
 }
 
-/// Of a garment that was dropped: what holds it and how it stands. True if another was taken.
+/// Menus of a garment's pins and of its up axis. True if one was changed.
 bool hold_menu(SceneOptions& options) {
     constexpr const char* holds[] = {"its highest opening", "its top", "its border", "nothing: pin by P"};
     auto hold = static_cast<int>(options.hold);

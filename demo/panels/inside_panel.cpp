@@ -36,7 +36,7 @@ void colour_menu(Inside& inside) {
     if (inside.colour != ShownAsColour::nothing) ImGui::TextWrapped("%s", scale_of(inside.colour));
 }
 
-/// Contacts are looked for only while they are shown.
+/// Requests reports of contacts only while they are shown.
 Result<void> report_contacts(Simulation& simulation, bool wanted) {
     WorldSettings settings = simulation.world().settings();
     const int reports = wanted ? 4096 : 0;

@@ -8,12 +8,12 @@ namespace {
 
 constexpr ImGuiSliderFlags logarithmic = ImGuiSliderFlags_Logarithmic;
 
-/// A choice between `names`. True if another one was taken.
+/// A choice between `names`. True if it has changed.
 bool choice(const char* label, int& chosen, std::span<const char* const> names) {
     return ImGui::Combo(label, &chosen, names.data(), static_cast<int>(names.size()));
 }
 
-/// One taken from the list has its default settings.
+/// A list of methods; a chosen one has its default settings.
 bool method_list(Method& method) {
     bool changed = false;
     if (ImGui::BeginCombo("method", entry_of(method).title, ImGuiComboFlags_HeightLarge)) {
@@ -116,7 +116,7 @@ bool method_controls(ClothSettings& settings) {
     bool changed = method_list(settings.method);
     const bool positional =
         std::holds_alternative<Xpbd>(settings.method) || std::holds_alternative<Fibres>(settings.method);
-    if (positional) settings.fabric.stiffening = 0;  // which they refuse
+    if (positional) settings.fabric.stiffening = 0;  // these methods refuse it
     changed |= std::visit([](auto& method) { return own_controls(method); }, settings.method);
     changed |= time_controls(settings);
     changed |= tether_controls(settings.tethers);

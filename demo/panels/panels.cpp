@@ -80,7 +80,7 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     compare_panel(simulation, look);
 }
 
-/// They stay to be read after what they tell of is over.
+/// Collects troubles of the last steps, and keeps them readable for some time after their end.
 void Panels::note_troubles(const Simulation& simulation, const Playback& playback) {
     const StepReport& report = simulation.world().report();
     std::string present;
@@ -89,7 +89,8 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
             .append(what_is_slow(look.times.percentile(0.5f),
                                  look.quality.level() + 1 == static_cast<int>(quality_levels().size())))
             .append("\n");
-    // A flag that cracks leaves more unsolved than cloth that swings: the times' panel shows how much.
+    // `unsolved` is left out: a cracking flag leaves more unsolved than swinging cloth. The times' panel
+    // shows how much.
     const auto flags = static_cast<StepFlags>(static_cast<unsigned>(report.flags) &
                                               ~static_cast<unsigned>(StepFlags::unsolved));
     present += flags_text(flags, speed_of(simulation.world().settings().wind));
@@ -101,10 +102,10 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
     if (ImGui::GetTime() > troubled_until_) troubles_.clear();
 }
 
-/// Over the scene's upper left corner.
+/// Draws messages and troubles over the scene's upper left corner.
 void Panels::show_messages(const Simulation& simulation, const Playback& playback, float room) {
     note_troubles(simulation, playback);
-    if (help || (message.empty() && troubles_.empty())) return;  // the help is in their place
+    if (help || (message.empty() && troubles_.empty())) return;  // the help covers their place
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.5f * em, 0.5f * em});
     ImGui::SetNextWindowBgAlpha(0.6f);

@@ -1,5 +1,5 @@
 #pragma once
-// The panels: everything that can be turned while the cloth moves, and what it costs.
+// The panels: all settings that can change while the cloth moves, and its cost.
 
 #include <map>
 #include <optional>
@@ -25,11 +25,11 @@ struct Playback {
     float speed = 1;                ///< seconds of the scene in a second
 };
 
-/// What a panel asks of the program.
+/// Requests of a panel to the program.
 struct PanelRequests {
     const SceneEntry* scene = nullptr;  ///< to change to
     bool restart = false;
-    bool reload = false;  ///< the scene with SceneOptions as they are now
+    bool reload = false;  ///< build the scene again with the present SceneOptions
 };
 
 /// The times of the stages in the last steps, for the plot.
@@ -42,7 +42,7 @@ class StageHistory {
 
     [[nodiscard]] std::size_t stages() const { return stages_; }
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// Milliseconds of a stage, `age` steps before the last. Precondition: age < size().
+    /// Time of a stage [ms], `age` steps before the last. Precondition: age < size().
     [[nodiscard]] float at(std::size_t stage, std::size_t age) const;
 
   private:
@@ -53,7 +53,7 @@ class StageHistory {
 /// Pictures of scenes, by name: NAME.png in a folder that `demo/pictures/scenes/make` fills.
 class ScenePictures {
   public:
-    /// Null: there is none. Precondition: a render::Context is current.
+    /// The scene's picture; null: there is none. Precondition: a render::Context is current.
     [[nodiscard]] const render::ShownImage* of(const char* scene);
 
   private:
@@ -65,16 +65,16 @@ class Panels {
     bool visible = true;
     bool collapsed = false;  ///< to a tab
     bool help = false;
-    std::string message;  ///< why the last request could not be met, or what came of it
-    /// Pixels that the column takes of the window's right, as last drawn.
+    std::string message;  ///< why the last request failed, or its outcome
+    /// Width of the window's right that the column covers, as last drawn [pixels].
     [[nodiscard]] float covered() const { return covered_; }
     Look look;
 
     /// Keeps the times of the step just taken.
     void record(const World& world);
-    /// A new world: its times start afresh.
+    /// Clears the times, for a new world.
     void forget();
-    /// Between ImGuiLayer's begin() and end(). Applies what is changed to the simulation.
+    /// Draws the panels and applies changes to the simulation. Called between ImGuiLayer's begin() and end().
     [[nodiscard]] PanelRequests draw(Simulation& simulation, WindControl& wind, Hands& hands,
                                      const Playback& playback, const render::OrbitCamera& camera);
 
@@ -87,13 +87,12 @@ class Panels {
 
     StageHistory history_;
     ScenePictures pictures_;
-    std::string troubles_;  // of the last steps, in words
+    std::string troubles_;  // troubles of the last steps, in words
     float covered_ = 0;
-    double troubled_until_ = 0;  // they are shown [s]
+    double troubled_until_ = 0;  // end of their display [s]
 };
 
-// One function for each panel, in a file of its name. Error: the simulation refuses what was changed, and
-// goes on as it was.
+// One function for each panel, in a file of its name. Error: the simulation refuses the change.
 void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
@@ -104,13 +103,12 @@ void compare_panel(const Simulation& simulation, Look& look);
 void files_panel(Simulation& simulation, Look& look, PanelRequests& requests);
 [[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
 [[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look);
-/// Keys and mouse, within the `room` left of the column [pixels].
+/// A window on keys and mouse, within the `room` left of the column [pixels].
 void help_window(bool& shown, float room);
 
-/// What the method panel shows. True if something was changed.
+/// The method panel's controls. True if something was changed.
 bool method_controls(ClothSettings& settings);
-/// The panels show the first cloth's settings; what is changed there, all cloths get. Error: the first
-/// cloth that refuses.
+/// Gives all cloths these settings: panels show the first cloth's. Error: of the first cloth that refuses.
 [[nodiscard]] Result<void> set_all_cloths(Simulation& simulation, const ClothSettings& settings);
 
 }  // namespace weft::demo

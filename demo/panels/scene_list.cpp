@@ -18,7 +18,7 @@ bool scene_row(const SceneEntry& entry, int key, const render::ShownImage* pictu
     tooltip(entry.description);
     const ImVec2 next = ImGui::GetCursorPos();
     char label[64];
-    if (key <= 9)  // that has one
+    if (key <= 9)  // later scenes have no key
         std::snprintf(label, sizeof label, "%d  %s", key, entry.name);
     else
         std::snprintf(label, sizeof label, "   %s", entry.name);

@@ -5,7 +5,7 @@
 
 namespace weft::demo {
 
-/// Of all scenes, in whatever panel is open; keys of the first nine beside their names.
+/// Lists all scenes in the open panel, with the keys of the first nine beside their names.
 void scene_list(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
 
 }  // namespace weft::demo

@@ -34,7 +34,7 @@ float plot_range(const StageHistory& history) {
     return range;
 }
 
-/// What is shown: the parts of the work on cloths, and not their parts in turn.
+/// Whether a stage is plotted: parts of the work on cloths are, their own parts are not.
 bool is_shown(const StageTime& stage) {
     return stage.depth == 2;
 }
@@ -152,7 +152,7 @@ void picture_table(const PictureTimes& times) {
         "Milliseconds of a picture; the rest is the window system, the panels, other programs, and waiting.");
 }
 
-/// Buttons for what a step may take, and how much of it is used.
+/// Buttons for the budget of a step, and a bar of its use.
 bool budget_bar(WorldSettings& settings, const StepReport& report) {
     bool changed = false;
     ImGui::TextUnformatted("budget");
@@ -184,7 +184,7 @@ bool budget_bar(WorldSettings& settings, const StepReport& report) {
     return changed;
 }
 
-/// What the method left, in a word and a colour.
+/// The method's residual, in a word and a colour.
 void error_line(float residual) {
     const bool small = residual < 0.25f, some = residual < 0.6f;
     ImGui::TextUnformatted("error:");

@@ -11,11 +11,11 @@ namespace weft::demo {
 
 inline constexpr float panel_margin = 12;  // between panels and the picture's edge [pixels]
 
-/// Somebody who looks at every slider and may move it: a test. Returns true if it has.
+/// A test's function that is called for every slider and may move it; true if it did.
 using SliderProbe = std::function<bool(const char* label, float& value, float least, float most)>;
 inline SliderProbe slider_probe;
 
-/// Explains the widget before, when the pointer rests on it.
+/// Explains the previous widget while the pointer rests on it.
 inline void tooltip(const char* text) {
     if (!ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
@@ -25,7 +25,7 @@ inline void tooltip(const char* text) {
     ImGui::EndTooltip();
 }
 
-/// The next item, so wide, stays in this line if there is room for it [pixels].
+/// Keeps the next item, of this width [pixels], in the line if there is room for it.
 inline void same_line_if_room(float width) {
     const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
     if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine();
@@ -50,8 +50,8 @@ Number widest(const char* label, const char* which, Number end, Wider wider) {
     return end;
 }
 
-/// Sliders with their explanations. True if moved. Their range reaches as far as any value that they have
-/// shown: what the command line or the scene asks for is shown uncut, and can be come back to.
+/// A slider with its explanation. True if moved. The range includes every value that the slider has shown, so
+/// that values of the command line or the scene are shown uncut and can be restored.
 inline bool slider(const char* label, float& value, float least, float most, const char* format,
                    const char* explanation, ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
     const float low = widest(label, ".least", std::min(least, value), std::less<float>());

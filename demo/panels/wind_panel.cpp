@@ -9,22 +9,21 @@
 namespace weft::demo {
 namespace {
 
-constexpr float strongest_wind = 40;  // to be had by the slider [m/s]
+constexpr float strongest_wind = 40;  // end of the slider [m/s]
 
-/// Of the dial, with the text [pixels].
+/// Diameter of the dial [pixels]; it grows with the text.
 float dial_size() {
     return 7.5f * ImGui::GetFontSize();
 }
 
-/// Where the wind blows, in the dial's plane: away from the viewer is up, whichever way the camera has
-/// turned.
+/// Converts the wind's heading to the dial's plane, where up is away from the viewer, for any camera.
 class DialFrame {
   public:
     explicit DialFrame(const render::OrbitCamera& camera) {
         const Vector3 look = to_vector(camera.target) - to_vector(camera.eye());
         camera_heading_ = std::atan2(-look.z(), look.x());
     }
-    /// The dial's angle from its top, clockwise, in the picture's coordinates (y down).
+    /// Unit vector of a heading on the dial, in the picture's coordinates (y down).
     [[nodiscard]] ImVec2 direction(float heading) const {
         const float from_top = camera_heading_ - heading;
         return {std::sin(from_top), -std::cos(from_top)};
@@ -46,7 +45,7 @@ void draw_arrow(ImDrawList& draw, ImVec2 centre, ImVec2 along, float length, ImU
     draw.AddTriangleFilled(at(length, 0), at(length - 14, 7), at(length - 14, -7), color);
 }
 
-/// True while it is dragged: the wind then blows from the centre towards the pointer.
+/// The wind's dial. True while it is dragged: the wind then blows from the centre towards the pointer.
 bool wind_dial(WindControl& wind, const DialFrame& frame) {
     const float radius = 0.5f * dial_size();
     const ImVec2 corner = ImGui::GetCursorScreenPos();

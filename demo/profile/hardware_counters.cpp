@@ -17,7 +17,7 @@ int open_counter(std::uint64_t event) {
     attributes.type = PERF_TYPE_HARDWARE;
     attributes.size = sizeof attributes;
     attributes.config = event;
-    attributes.inherit = 1;  // by threads that this one starts
+    attributes.inherit = 1;  // counts threads that this one starts, too
     attributes.exclude_kernel = 1;
     attributes.exclude_hv = 1;
     return static_cast<int>(syscall(SYS_perf_event_open, &attributes, 0, -1, -1, 0));

@@ -22,13 +22,13 @@ class HardwareCounters {
         }
     };
 
-    /// Counts the calling thread and those that are started from here on.
+    /// Counts the calling thread and the threads that it starts later.
     HardwareCounters();
     ~HardwareCounters();
     HardwareCounters(const HardwareCounters&) = delete;
     HardwareCounters& operator=(const HardwareCounters&) = delete;
 
-    /// Since construction, in user mode. Empty where the kernel or the machine has no counters for us.
+    /// Counts since construction, in user mode. Empty where the kernel or the machine offers no counters.
     [[nodiscard]] std::optional<Counts> read() const;
 
   private:

@@ -7,17 +7,16 @@
 
 namespace weft::demo {
 
-/// The scene, with copies of its first cloth until there are as many cloths as the options ask for. A copy
-/// has the same mesh, settings and pins, and those stay where they are. Error: it cannot be built.
+/// Builds the scene, with copies of its first cloth up to the options' number of cloths. A copy has the same
+/// mesh, settings and pins; its pins do not move. Error: the scene cannot be built.
 [[nodiscard]] Result<Simulation> build_simulation(const ProfileOptions& options);
 
-/// One run: the warm-up, then the frames, whose times go into `table` and, where they can be had, whose
-/// counts are added to `counts`. The counters must be older than the first simulation: oneTBB keeps its
-/// threads.
+/// Runs the warm-up, then the frames. Adds their times to `table` and, where available, their counts to
+/// `counts`. The counters must be older than the first simulation, since oneTBB keeps its threads.
 [[nodiscard]] Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& counters,
                                        StageTable& table, std::optional<HardwareCounters::Counts>& counts);
 
-/// A run of some frames that is traced. Error: the file cannot be written.
+/// Runs some frames and writes their trace. Error: the file cannot be written.
 [[nodiscard]] Result<void> trace(const ProfileOptions& options);
 
 }  // namespace weft::demo

@@ -10,8 +10,8 @@ namespace weft::demo {
 
 struct ProfileOptions : SimulationOptions {
     int cloths = 1;               ///< the scene's own and copies of its first
-    int warm_up = 30;             ///< frames that are run before those that count
-    int frames = 300;             ///< that count
+    int warm_up = 30;             ///< frames before the measured ones
+    int frames = 300;             ///< measured frames
     int repeat = 1;               ///< runs; of each figure the least is shown, since noise only adds
     std::filesystem::path csv;    ///< empty: none is written
     std::filesystem::path trace;  ///< empty: none is kept

@@ -11,7 +11,7 @@
 
 namespace weft::demo {
 
-/// What the times are of.
+/// The run that the times belong to.
 struct Measured {
     std::string scene, method;
     int cloths = 0;
@@ -23,7 +23,7 @@ struct Measured {
 
 class StageTable {
   public:
-    /// A frame's times of all stages: World::profile() after it. The same stages at every call.
+    /// Adds a frame's times: World::profile() after the frame, with the same stages at every call.
     void add(std::span<const StageTime> stages);
     /// Ends a run of frames: of each percentile the table keeps the least of its runs.
     void end_run();
@@ -31,7 +31,7 @@ class StageTable {
     /// A line for each stage, the step first, parts indented under their stage: milliseconds, and the median
     /// in nanoseconds per particle.
     [[nodiscard]] std::string text(std::uint32_t particles) const;
-    /// The same as rows of a CSV file, each with what was measured.
+    /// Writes the same as rows of a CSV file, each with the data of `measured`.
     [[nodiscard]] Result<void> write_csv(const std::filesystem::path& file, const Measured& measured) const;
 
   private:

@@ -76,7 +76,7 @@ class Bar final : public Scene {
     }
 
   private:
-    /// Its collider is to be seen only: no cloth meets its layer.
+    /// Adds the bar. Its collider is drawn only: it is on no layer, so that no cloth collides with it.
     Result<ColliderId> add_bar(World& world, const std::vector<std::uint32_t>& edge) {
         const Vec3 middle{0, hung_height - hanging_length, 0};
         const float along = bar_mass / 12 * hanging_width * hanging_width;

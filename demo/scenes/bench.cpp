@@ -16,7 +16,7 @@ constexpr float strip_length = 0.06f, strip_width = 0.03f;  // [m]
 constexpr std::uint32_t strip_cells = 24;
 constexpr float strip_cell = strip_length / strip_cells;
 constexpr float clamp_begins =
-    0.5f * strip_cell;  // two columns are held; half of what bends about the last is the clamp's
+    0.5f * strip_cell;  // two columns are pinned; half of the bend at the last is the clamp's
 constexpr Vec3 strip_clamp{-0.24f, 0.36f, -0.5f * strip_width};
 constexpr float table_radius = 0.09f, disc_radius = 0.15f;  // radii of Cusick's tester [m]
 constexpr Vec3 drape_middle{0.12f, 0.30f, 0};
@@ -145,7 +145,7 @@ class Bench final : public Scene {
         return std::min(
             weight * length * length * length / std::max(1e-9, static_cast<double>(fabric.bending)), 100.0);
     }
-    /// Of the free end, in lengths.
+    /// Drop of the free end, in lengths.
     [[nodiscard]] float drop(const ClothView& strip) const {
         float sum = 0;
         for (std::uint32_t row = 1; row <= strip_mesh_.rows; ++row)

@@ -9,11 +9,11 @@ namespace weft::demo {
 namespace {
 
 constexpr float cloth_side = 1.2f;  // of the cloth [m]
-constexpr float hung_at = 0.9f;     // of what it hangs from [m]
+constexpr float hung_at = 0.9f;     // height of the pins [m]
 
 struct Props {
     Fabric fabric;
-    bool border = false;  ///< held all round, else by its corners
+    bool border = false;  ///< pinned all round, otherwise by its corners
     float mass = 0;       ///< of the body [kg]
     Collider shape;
     Vec3 inertia{}, start{};
@@ -72,8 +72,8 @@ class BodyScene : public Scene {
         const Vector3 where = to_vector(state->position);
         checks.at_least("the body's height [m]", where.y(), hung_at - 0.75f * cloth_side);
         checks.at_most("its height [m]", where.y(), hung_at + 0.2f);
-        // The body still swings then, and a tilted box has walked. By smaller steps, which damp less, a ball
-        // presses with .8 to 2 times its weight.
+        // The body still swings at this time, and a tilted box has moved aside. With smaller steps, which
+        // damp less, a ball presses with .8 to 2 times its weight.
         checks.at_most("its way from the middle [m]", std::max(std::abs(where.x()), std::abs(where.z())),
                        0.3f);
         checks.at_most("its speed [m/s]", to_vector(state->velocity).norm(), 0.9f);

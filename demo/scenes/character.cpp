@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::uint32_t crowd_rows = 4, crowd_columns = 5;
 constexpr float crowd_spacing = 1.3f;             // [m]
-constexpr std::uint32_t particles_of_many = 800;  // of each, in a crowd
+constexpr std::uint32_t particles_of_many = 800;  // of each dress in a crowd
 constexpr std::uint32_t drawn_vertices = 30000;   // of a dress
 constexpr std::array<Vec3, 4> crowd_colours{
     {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
 
-/// Has the garment's finer mesh, if there is one, drawn in place of its cloth.
+/// Binds the garment's finer mesh, if there is one, to be drawn in place of its cloth.
 Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {
     if (garment.fine.positions.empty()) return {};
     const auto view = world.cloth(cloth.id);
@@ -40,7 +40,7 @@ class Walkers final : public Scene {
 
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
-        // Who walks on the spot has the air come at them.
+        // Walkers stay on the spot, so that the air moves towards them instead.
         settings.wind.velocity = {0, 0, run_ ? -3.0f : -1.2f};
         settings.wind.gust = 0.2f;
         return settings;
@@ -86,10 +86,10 @@ class Walkers final : public Scene {
             if (!view) return view.error();
             checks.finite(*view);
             soup.add(*view);
-            // Triangles of fewer particles are chords of rounder limbs.
+            // In a crowd triangles are larger, and cut deeper into round limbs as chords.
             const float kept = is_crowd() ? 0.015f : 0.005f;
             const auto wear = WearMeter(character.garment().mesh, kept).measure(*view, character.capsules());
-            // The skin is where limbs are, but for its chords and its folds.
+            // The skin differs from the capsules of the limbs by its chords and its folds.
             if (!character.skin_places())
                 checks.at_most("triangles inside the body", static_cast<float>(wear.inside), 0);
             checks.at_most("the 99th percentile of stretch", wear.stretch_99, run_ ? 1.07f : 1.04f);

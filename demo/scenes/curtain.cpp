@@ -12,7 +12,7 @@ namespace weft::demo {
 namespace {
 
 constexpr float width = 2.6f, height = 2.0f;  // of the fabric laid flat [m]
-constexpr float top = 2.25f;                  // of the fabric [m]
+constexpr float top = 2.25f;                  // height of the fabric's upper edge [m]
 constexpr std::uint32_t spans = 12;           // between rings; a fold each
 constexpr float steepest = 1.0f;              // angle between fold and rod at a ring [rad]
 constexpr float drawn = 0.35f;                // the rings come nearer by this fraction ...
@@ -37,7 +37,7 @@ std::vector<Triangle> ring_triangles(std::uint32_t count) {
     return triangles;
 }
 
-/// Round the rod and through what hangs from it.
+/// Appends a ring round the rod and through a point of the curtain.
 void append_ring(const Vec3& through, std::vector<Vec3>& vertices) {
     const float radius = std::hypot(through.y - rod_height, through.z);
     for (std::uint32_t i = 0; i < ring_sides; ++i) {
@@ -162,7 +162,7 @@ class Curtain final : public Scene {
         return (ring * (mesh_.columns - 1) + spans / 2) / spans;  // rounded to the nearest column
     }
 
-    /// The rings slide towards the first, and back.
+    /// Place of a ring [m]. The rings slide towards the first, and back.
     [[nodiscard]] Vec3 ring_place(std::uint32_t ring, double time) const {
         const double phase = 2 * std::numbers::pi * time / period;
         const float scale = 1.0f - drawn * static_cast<float>(0.5 - 0.5 * std::cos(phase));

@@ -7,7 +7,7 @@ namespace weft::demo {
 namespace {
 
 constexpr float fly = 1.5f, hoist = 1.0f;  // [m]
-constexpr float hoist_top = 2.55f;         // of the flag's hoist, the side at the pole [m]
+constexpr float hoist_top = 2.55f;         // height of the hoist's top, at the pole [m]
 constexpr float pole_radius = 0.025f;      // [m]
 
 class Flag final : public Scene {

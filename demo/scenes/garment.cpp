@@ -13,7 +13,7 @@ namespace {
 
 constexpr float above_ground = 0.45f;  // the lowest point's height at the start [m]
 
-/// What is no garment's size is in other units, or something else: it becomes a metre high.
+/// Scales a mesh to a metre if it has no garment's size: it is in other units, or no garment.
 void bring_to_size(Mesh& mesh) {
     constexpr float smallest = 0.2f, largest = 3;  // [m]
     Vector3 lower = to_vector(mesh.positions.front()), upper = lower;
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> held_vertices(const Mesh& mesh, Hold hold) {
     return {};
 }
 
-/// The file's own triangles, or as many times quartered as comes nearest to `particles`.
+/// The file's mesh, its triangles quartered while `particles` is more than twice the number of vertices.
 Result<Mesh> load_garment(const SceneOptions& options) {
     const bool gltf = is_gltf(options.garment);
     auto loaded =
@@ -64,7 +64,7 @@ class HungGarment final : public Scene {
         settings.wind.velocity = {0.25f, 0, 0.65f};
         settings.wind.gust = 0.7f;
         settings.wind.gust_length = 0.5f;
-        // Folds of uneven triangles press on each other, and that is met after the step.
+        // Folds of uneven triangles press on each other, and contact is resolved after the step.
         settings.substeps = 2;
         return settings;
     }

@@ -13,7 +13,7 @@ namespace weft::demo {
 
 namespace {
 
-/// f(vertex, vertex) for every structural edge; inner edges of a general mesh come twice.
+/// Calls f(vertex, vertex) for every structural edge; inner edges of a general mesh come twice.
 template <class F>
 void for_structural_edges(const Mesh& mesh, const F& f) {
     if (mesh.columns == 0) {

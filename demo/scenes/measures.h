@@ -1,5 +1,5 @@
 #pragma once
-// What scenes build sheets from, and what their checks measure.
+// Grid sizes for the sheets of scenes, and measures for their checks.
 
 #include <string>
 #include <string_view>
@@ -34,9 +34,9 @@ class Checks {
   public:
     void at_least(std::string_view what, float value, float bound);
     void at_most(std::string_view what, float value, float bound);
-    /// Positions and velocities are numbers.
+    /// Expects positions and velocities to be finite.
     void finite(const ClothView& view);
-    /// The vertex is held, and within a tenth of a millimetre of where it should be.
+    /// Expects the vertex to be pinned, and within a tenth of a millimetre of `where`.
     void pinned_at(const ClothView& view, std::uint32_t vertex, const Vec3& where);
 
     /// Error: all that failed, each with its value.

@@ -12,11 +12,10 @@ namespace {
 
 constexpr float ribbon_width = 0.1f, length = 2.4f;  // [m]
 constexpr double speed = 0.5;                        // at which the top is lowered [m/s]
-constexpr float start_height = 0.02f;                // of the lower end [m]
-constexpr float hold_height = 0.4f;                  // where the top stops [m]
+constexpr float start_height = 0.02f;                // height of the lower end [m]
+constexpr float hold_height = 0.4f;                  // height at which the top stops [m]
 
-// The hand that lowers the ribbon is not quite still: without that a flat ribbon would have no side to fold
-// to.
+// The hand that lowers the ribbon sways: without that a flat ribbon would have no side to fold to.
 constexpr float sway = 0.015f;       // [m]
 constexpr double sway_period = 0.9;  // [s]
 
@@ -97,7 +96,7 @@ class Ribbon final : public Scene {
     }
 
   private:
-    /// Where the top row's vertex of this column is held.
+    /// Pinned place of the top row's vertex of this column.
     [[nodiscard]] Vec3 hand(std::uint32_t column) const {
         const Vec3 start = mesh_.positions[column];
         const double lowered = std::min(speed * time_, static_cast<double>(start.y - hold_height));
@@ -105,7 +104,7 @@ class Ribbon final : public Scene {
         return {start.x, start.y - static_cast<float>(lowered), sway * static_cast<float>(swing)};
     }
 
-    /// Of the half that was lowered first, all of which lies in the pile.
+    /// Greatest height of the half that was lowered first, all of which lies in the pile.
     [[nodiscard]] float pile_height(const ClothView& view) const {
         float height = 0;
         for (std::uint32_t row = mesh_.rows / 2; row < mesh_.rows; ++row) {

@@ -20,14 +20,14 @@ constexpr float apart = 1.35f;        // from one shape's middle to the next [m]
 constexpr float kept_apart = 0.008f;  // [m]
 constexpr std::uint32_t in_a_row = 4;
 
-/// One of them, about the World's origin, standing on the ground.
+/// One shape about the World's origin, standing on the ground.
 struct Stand {
     const char* name;
     float top;  ///< [m]
     std::variant<Sphere, Capsule, TaperedCapsule, Box, ConvexHull, TriangleMesh, DistanceField, HeightField>
         shape;
     Mesh drawn{};   ///< of a shape that a World holds
-    Vec3 middle{};  ///< of its own space, and so far above the ground
+    Vec3 middle{};  ///< place of its own space's origin [m]
     Vec3 front;     ///< colour of its sheet
 };
 
@@ -99,7 +99,7 @@ class Shapes final : public Scene {
     void make_stands();
     [[nodiscard]] Result<void> build_stand(World& world, std::uint32_t k, std::uint32_t particles,
                                            SceneContent& content);
-    /// A collider there.
+    /// The collider of a stand at this place, with its shape in the World if it needs one.
     [[nodiscard]] Result<Collider> place(World& world, const Stand& stand, const Vec3& at) const;
 
     std::vector<Stand> stands_;
@@ -187,7 +187,7 @@ Result<void> Shapes::build_stand(World& world, std::uint32_t k, std::uint32_t pa
         p = {p.x + at.x + stand.middle.x, p.y + at.y + stand.middle.y, p.z + at.z + stand.middle.z};
     if (!stand.drawn.positions.empty()) content.solids.push_back({stand.drawn, {0.5f, 0.48f, 0.45f}});
 
-    // Turned a little, so that no fold is where the next one is.
+    // Each sheet is turned by another angle, so that their folds differ.
     const float angle = 0.3f + 0.35f * static_cast<float>(k);
     const Vector3 u(sheet_side * std::cos(angle), 0, sheet_side * std::sin(angle)), v(-u.z(), 0, u.x());
     const Vector3 corner = Vector3(at.x, stand.top + stand.middle.y + 0.06f, at.z) - 0.5f * (u + v);

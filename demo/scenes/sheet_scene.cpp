@@ -15,7 +15,7 @@ class Sheet final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         WorldSettings settings;
-        settings.wind.air_density = 0.6f;  // still air that carries less of the sheet: it falls in a second
+        settings.wind.air_density = 0.6f;  // thin still air: the sheet falls in a second
         return settings;
     }
 

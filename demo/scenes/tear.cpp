@@ -13,12 +13,12 @@ namespace weft::demo {
 namespace {
 
 constexpr float sheet_width = 1.6f, sheet_height = 1.0f;  // [m]
-constexpr float top = 1.5f;                               // of the sheet [m]
+constexpr float top = 1.5f;                               // height of the sheet's upper border [m]
 constexpr float speed = 0.12f;                            // of each end [m/s]
-constexpr float farthest = 0.4f;                          // that each end goes [m]
-constexpr double begins = 0.5;                            // to be drawn, once it hangs [s]
-constexpr float irregular = 0.5f;  // how far vertices lie from rows, over their distance
-constexpr float nick = 0.06f;      // as a part of the height
+constexpr float farthest = 0.4f;                          // distance that each end moves [m]
+constexpr double begins = 0.5;                            // time at which the ends start to move [s]
+constexpr float irregular = 0.5f;  // spread of vertices about the grid, over its spacing
+constexpr float nick = 0.06f;      // depth, over the sheet's height
 constexpr Tearing tearing{.strain = 0.12f, .edges = 3};
 
 class Tear final : public Scene {
@@ -105,7 +105,7 @@ class Tear final : public Scene {
     }
 
   private:
-    /// Tears follow edges: without rows of them they look torn.
+    /// Moves inner vertices off the grid. Tears follow edges, and would look cut along straight rows.
     static void make_irregular(Mesh& mesh) {
         std::mt19937 random(11);
         const auto draw = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f - 0.5f; };
@@ -119,7 +119,7 @@ class Tear final : public Scene {
             }
         mesh.rows = mesh.columns = 0;
     }
-    /// Down from the middle of the upper border.
+    /// The edges of the nick, down from the middle of the upper border.
     static std::vector<MeshEdge> nick_of(const GridSize& grid) {
         std::vector<MeshEdge> edges;
         const auto deep = std::max(1.0f, nick * static_cast<float>(grid.rows));

@@ -1,5 +1,5 @@
-// Cloth as it is set by default, beside its own motion in eight substeps of six passes: what a step of 1/60 s
-// leaves out.
+// Cloth by default settings beside its own motion in eight substeps of six passes, which shows the error of a
+// step of 1/60 s.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<int, 2> substeps{1, 8};  // of the cloth to the left and to the right
 constexpr std::array<Vec3, 2> colours{{{0.55f, 0.06f, 0.07f}, {0.62f, 0.60f, 0.55f}}};
 
-/// Two cloths in one wind, one for each of `substeps`, which say how fast they move.
+/// Two cloths in one wind, one for each of `substeps`, labelled with their speeds.
 class Pair : public Scene {
   public:
     explicit Pair(const Wind& wind) : wind_(wind) {}
@@ -34,7 +34,7 @@ class Pair : public Scene {
             float sum = 0;
             for (const Vec4& v : view->velocities) sum += xyz(v).squaredNorm();
             const float now = sum / static_cast<float>(view->velocities.size());
-            constexpr float forgets = 1.0f / 120;  // of two seconds
+            constexpr float forgets = 1.0f / 120;  // a time constant of two seconds
             squared_speeds_[k] += forgets * (now - squared_speeds_[k]);
         }
     }
@@ -57,7 +57,7 @@ class Pair : public Scene {
                      std::span<const std::uint32_t> pins, SceneContent& content) {
         settings.substeps = substeps[k];
         if (substeps[k] > 1)
-            settings.method = Multilevel{.passes = 6, .tolerance = 320};  // as much in a frame
+            settings.method = Multilevel{.passes = 6, .tolerance = 320};  // 8 x 40: as much in a frame
         const auto cloth = world.add_cloth(mesh, settings);
         if (!cloth) return cloth.error();
         cloths_.push_back(*cloth);
@@ -65,7 +65,7 @@ class Pair : public Scene {
         content.cloths.push_back({*cloth, std::move(mesh), {.front = colours[k], .back = colours[k]}});
         return world.pin(*cloth, pins);
     }
-    /// Finite, and stretched by no more than this.
+    /// Expects cloths to be finite and stretched by at most `worst`, and the default not to be too slow.
     [[nodiscard]] Checks check_cloths(const World& world, float worst) const {
         Checks checks;
         for (std::size_t k = 0; k < cloths_.size(); ++k) {
@@ -189,7 +189,7 @@ class SkirtBesideTruth final : public Pair {
         }
         return mesh;
     }
-    /// The hips, or a leg that swings.
+    /// Limb 0: the hips; 1 and 2: legs that swing.
     static TaperedCapsule limb_at(std::size_t k, std::size_t limb, float time) {
         const float x = middle(k);
         if (limb == 0) return {{x - 0.04f, 0.95f, 0}, {x + 0.04f, 0.95f, 0}, 0.11f, 0.11f};

@@ -1,5 +1,5 @@
 #pragma once
-// What weft_study does. Each returns the program's exit status: 0, or 1 after a message on standard error.
+// Commands of weft_study. Each returns the program's exit status: 0, or 1 after a message on standard error.
 
 #include "demo/study/study_options.h"
 
@@ -13,11 +13,11 @@ int run_stability(const StudyOptions& options);
 int run_physics(const StudyOptions& options);
 /// Time schemes: energy, nearness to the truth, rest, dependence on the step, and time.
 int run_motion(const StudyOptions& options);
-/// What passes through what: scenes where cloth meets itself, by every rung of self-collision.
+/// Crossing triangles: scenes where cloth collides with cloth, by every rung of self-collision.
 int run_contact(const StudyOptions& options);
-/// A budget beside one setting for all: time and motion error of many cloths.
+/// Time and motion error of many cloths: a budget beside one setting for all.
 int run_budget(const StudyOptions& options);
-/// Charts from what the others wrote.
+/// Charts of the tables that the other commands wrote.
 int run_plot(const PlotOptions& options);
 
 }  // namespace weft::study

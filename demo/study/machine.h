@@ -1,11 +1,11 @@
 #pragma once
-// Where figures come from: they mean nothing without it.
+// The machine and the commit that figures come from.
 
 #include <string>
 
 namespace weft::study {
 
-/// "Intel(R) Xeon(R) Platinum 8488C; 2 threads": the processor and what of it the system has.
+/// The processor and its hardware threads: "Intel(R) Xeon(R) Platinum 8488C; 2 threads".
 [[nodiscard]] std::string machine_name();
 /// The commit that the program was configured from, with "+" where the tree differed; "unknown" outside a
 /// repository.

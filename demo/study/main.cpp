@@ -1,4 +1,4 @@
-// weft_study: what each method costs, how wrong it is and where it fails.
+// weft_study: the cost of each method, its error, and the cases in which it fails.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -15,7 +15,7 @@ namespace {
 
 constexpr TimeScheme bdf2 = TimeScheme::bdf2;
 
-/// Curves one after the other.
+/// Collects points, curve by curve.
 class List {
   public:
     explicit List(Coverage coverage) : coverage_(coverage) {}
@@ -24,7 +24,7 @@ class List {
         name_ = name;
         label_ = label;
     }
-    /// A point of the curve; `quick`: with few settings, too.
+    /// Adds a point to the curve. `quick`: with Coverage::quick, too.
     MethodPoint* add(bool quick, const std::string& setting, const Method& method, int substeps = 1,
                      TimeScheme time_scheme = TimeScheme::backward_euler) {
         if (coverage_ == Coverage::quick && !quick) return &unused_;
@@ -53,7 +53,7 @@ std::string text(const std::string& what, int number, const std::string& other, 
     return text(what, number) + " " + text(other, other_number);
 }
 
-/// Marks what Weft does if it is told nothing; adds it if it is not yet there.
+/// Marks the library's default; adds a point for it if there is none.
 void mark_default(std::vector<MethodPoint>& points) {
     const ClothSettings shipped;
     const auto is_shipped = [&](const MethodPoint& point) {
@@ -114,7 +114,7 @@ void add_multilevel(List& list) {
                      bdf2);
 }
 
-/// Of about the springs' stiffnesses, so that what it costs can be compared; how it moves cannot.
+/// Adds finite elements of about the springs' stiffnesses: their cost can be compared, their motion cannot.
 void add_elements(List& list) {
     list.curve("elements", "Multilevel: finite elements");
     for (const int count : {1, 2, 3, 4, 6}) {
@@ -142,7 +142,7 @@ void add_positional(List& list) {
 
 /// Substeps of a frame in which a step is `margin` times shorter than the longest that is stable. A mode of
 /// frequency omega is damped at the rate c = damping omega^2; the step must keep (omega h)^2 + 2 c h below 4.
-/// 0: so many that no frame has them.
+/// 0: it would be 10^5 or more.
 int explicit_substeps(const StudyScene& scene, double margin) {
     const double omega = stiffest_frequency(scene);
     const double damping = static_cast<double>(scene.cloth.fabric.damping);
@@ -180,7 +180,7 @@ void add_cholesky(List& list) {
 }  // namespace
 
 std::vector<MethodPoint> method_points(Coverage coverage, const StudyScene& scene) {
-    // Beyond, one factorisation takes seconds, and explicit steps run into the thousands.
+    // For larger scenes, one factorisation takes seconds, and explicit steps run into the thousands.
     const bool is_large = scene.mesh.positions.size() > 20'000,
                is_medium = scene.mesh.positions.size() > 5'000;
     List list(coverage);

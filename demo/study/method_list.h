@@ -17,11 +17,11 @@ struct MethodPoint {
     std::string name;     ///< of the curve it belongs to, in tables: "jacobi"
     std::string label;    ///< of that curve, in legends: "Jacobi (Kang)"
     std::string setting;  ///< "iterations=15"
-    /// Sets method, time scheme, substeps, tethers: all of ClothSettings that the point is about.
+    /// Sets the point's method, time scheme, substeps, tethers and finite elements.
     std::function<void(ClothSettings&)> configure;
-    /// Of methods that only the study has; empty: the library's own, as configured.
+    /// Makes the solver of a method that only the study has; empty: the library's own, as configured.
     std::function<std::unique_ptr<Solver>(const ClothModel&, const ClothSettings&)> make_solver;
-    bool is_default = false;  ///< what Weft does if it is told nothing
+    bool is_default = false;  ///< the library's default
 
     [[nodiscard]] ClothSettings applied_to(ClothSettings settings) const {
         configure(settings);
@@ -32,9 +32,9 @@ struct MethodPoint {
 /// How much of a method's range is covered.
 enum class Coverage { all, quick };
 
-/// In the order in which they are run, curve by curve, settings ascending in cost.
+/// All points in the order in which they are run: curve by curve, settings ascending in cost.
 [[nodiscard]] std::vector<MethodPoint> method_points(Coverage coverage, const StudyScene& scene);
-/// Those of `points` whose name contains `text`.
+/// The points whose name contains `text`.
 [[nodiscard]] std::vector<MethodPoint> only_named(std::vector<MethodPoint> points, const std::string& text);
 
 }  // namespace weft::study

@@ -1,5 +1,5 @@
 #pragma once
-// The study stops where the library refuses what it asks for.
+// Turns the library's errors into exceptions, which stop the study.
 
 #include <stdexcept>
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace weft::study {
 
-/// Throws std::runtime_error with the refusal.
+/// The result's value. Throws std::runtime_error with the error's message if there is none.
 template <class T>
 T must(Result<T> result) {
     if (!result) throw std::runtime_error(result.error().message);

@@ -11,7 +11,7 @@
 
 namespace weft::study {
 
-/// What is simulated, whatever the method: made once, so that every method starts from the same floats.
+/// A simulation without its method: made once, so that every method starts from the same floats.
 struct StudyScene {
     std::string name;            ///< "hanging"
     std::uint32_t per_side = 0;  ///< 0: not a sheet
@@ -19,7 +19,7 @@ struct StudyScene {
     ClothSettings cloth;  ///< fabric and air; the method is the point's
     WorldSettings world;
     std::vector<std::uint32_t> pins;     ///< vertices of the mesh
-    std::vector<Vec4> start_positions;   ///< of the particles [m]; empty: where the mesh is
+    std::vector<Vec4> start_positions;   ///< of the particles [m]; empty: the mesh's own
     std::vector<Vec4> start_velocities;  ///< [m/s]; empty: at rest
     float frame = 1.0f / 60;             ///< [s]
 };
@@ -29,7 +29,7 @@ class Run {
     /// Throws std::runtime_error if the mesh cannot be cooked, std::logic_error if the method is not there.
     Run(const StudyScene& scene, const MethodPoint& point, int threads);
 
-    /// Back to the start of a scene of the same mesh and pins.
+    /// Returns to the start of a scene of the same mesh and pins.
     void restart(const StudyScene& scene);
     /// One frame. Returns its milliseconds: of one thread by the processor, of several by the clock.
     double step();
@@ -46,14 +46,14 @@ class Run {
     int restored_ = 0;
 };
 
-/// Of all particles [m].
+/// Positions of all particles [m].
 using Positions = std::vector<Eigen::Vector3d>;
 [[nodiscard]] Positions positions_of(const Cloth& cloth);
 
 /// kappa = stiffness frame^2 / mean mass of a particle: how hard one step of the frame's length is.
 [[nodiscard]] double kappa(const Cloth& cloth, double frame);
 
-/// Of an unsorted, not empty sample; nearest rank.
+/// Quantile of an unsorted, non-empty sample, by nearest rank.
 [[nodiscard]] double quantile(std::vector<double> sample, double p);
 
 }  // namespace weft::study

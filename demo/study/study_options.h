@@ -1,5 +1,5 @@
 #pragma once
-// What the commands of weft_study are asked to do.
+// Options of the commands of weft_study.
 
 #include <cstdint>
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace weft::study {
 
-/// Of the commands that measure.
+/// Options of the commands that measure.
 struct StudyOptions {
     std::filesystem::path csv;         ///< rows are appended as they are measured
     bool quick = false;                ///< two minutes in all: smaller sheets, fewer settings

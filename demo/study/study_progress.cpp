@@ -15,7 +15,7 @@ void StudyProgress::begin(const std::string& what) {
     std::fputc('\n', stderr);
 }
 
-// Costs of rounds are parts of a whole, and do not add up to it to the last bit.
+// The remaining cost may round to less than 0: costs of rounds do not add up to the total to the last bit.
 std::optional<double> StudyProgress::seconds_left() const {
     if (!(cost_measured_ > 0)) return std::nullopt;
     return seconds_measured_ / cost_measured_ * std::max(cost_left_, 0.0);

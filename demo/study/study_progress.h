@@ -1,5 +1,5 @@
 #pragma once
-// Says on standard error what a long study is at, and how much time it needs yet.
+// Reports the progress of a long study and the time left on standard error.
 
 #include <chrono>
 #include <optional>
@@ -9,15 +9,15 @@ namespace weft::study {
 
 class StudyProgress {
   public:
-    /// Costs are in any unit, as long as it is the same one.
+    /// Costs may have any unit, the same in all calls.
     StudyProgress(std::size_t items, double total_cost) : items_(items), cost_left_(total_cost) {}
 
     void begin(const std::string& what);
-    /// Ends what was begun. What was not measured, since it was there already, says nothing about time.
+    /// Ends the item that was begun. Items that were not measured do not count for the time left.
     void end(double cost, bool measured = true);
-    /// Passes over an item in silence.
+    /// Skips an item without a message.
     void skip(double cost);
-    /// For what is neither ended nor passed over, as fast as what was measured; none before anything was.
+    /// Time for the remaining cost at the speed measured so far; none before the first measurement.
     [[nodiscard]] std::optional<double> seconds_left() const;
 
   private:

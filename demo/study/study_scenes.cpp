@@ -11,7 +11,7 @@ namespace weft::study {
 
 namespace {
 
-/// Computed in double precision from the mesh's own floats: the same on every machine to the last bit or so.
+/// Height of the bump [m], in double precision from the mesh's floats: machines differ by a last bit or so.
 float bump(const Vec3& p) {
     const double x = static_cast<double>(p.x) + 0.5, z = static_cast<double>(p.z) + 0.5;
     const double pi = std::numbers::pi;

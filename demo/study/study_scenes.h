@@ -1,5 +1,5 @@
 #pragma once
-// What the study simulates. Every run of a scene, by any method, starts from the same floats.
+// The study's scenes. Every run of a scene, by any method, starts from the same floats.
 
 #include <filesystem>
 #include <string>
@@ -9,11 +9,11 @@
 namespace weft::study {
 
 /// A sheet of 1 m and 0.2 kg/m^2 hung by two corners of one side, horizontal but for a bump of 0.1 mm that
-/// has no symmetry, so that it is the scene and not rounding that decides how it buckles. `wind`: in a steady
+/// has no symmetry, so that the scene and not rounding decides how the sheet buckles. `wind`: in a steady
 /// breeze; otherwise in still air that takes 0.2 of the velocity per second.
 [[nodiscard]] StudyScene hung_sheet(std::uint32_t per_side, bool wind);
 
-/// A garment of a file, `quartered` times made finer, hung by its highest opening.
+/// A garment of a file, refined `quartered` times, hung by its highest opening.
 [[nodiscard]] StudyScene hung_garment(const std::filesystem::path& obj, int quartered,
                                       const std::string& name);
 

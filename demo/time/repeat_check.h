@@ -1,5 +1,5 @@
 #pragma once
-// Whether a step comes out the same when it is taken twice.
+// Checks that a step has the same result when it is taken twice.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,15 +17,15 @@ class RepeatCheck {
     struct Difference {
         std::uint64_t step = 0;               ///< as StepReport::step counts
         std::uint64_t first = 0, second = 0;  ///< state hashes
-        std::optional<std::size_t> cloth{};   ///< the first that differs; none: what the World has besides
-        std::uint32_t particle = 0;           ///< of that cloth, the first
+        std::optional<std::size_t> cloth{};   ///< the first that differs; none: other state of the World does
+        std::uint32_t particle = 0;           ///< the first of that cloth that differs
     };
 
     bool enabled = false;
-    /// What is done to the World before the second step: for tests.
+    /// Called before the second step, for tests.
     std::function<void(World&)> between;
 
-    /// The World's step; where it is enabled, taken, undone and taken again.
+    /// Takes the World's step; if enabled, undoes it and takes it again.
     const StepReport& step(World& world, std::span<const ClothId> cloths, float dt);
 
     [[nodiscard]] std::uint64_t checked() const { return checked_; }                           ///< steps

@@ -18,7 +18,7 @@ float width_of_button(const char* label) {
     return width_of(label) + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-/// The scrubber.
+/// Draws the slider over the timeline's moments.
 void show_moments(const Timeline& timeline, Playback& playback, TimeRequests& requests) {
     const int last = static_cast<int>(timeline.size()) - 1;
     int here = static_cast<int>(timeline.here());
@@ -89,7 +89,7 @@ TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck&
     TimeRequests requests;
     const ImVec2 picture = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * room, picture.y - panel_margin}, ImGuiCond_Always, {0.5f, 1});
-    ImGui::SetNextWindowSize({std::min(widest_bar, room - 2 * panel_margin), 0});  // as high as it must be
+    ImGui::SetNextWindowSize({std::min(widest_bar, room - 2 * panel_margin), 0});  // height by its content
     ImGui::Begin("Time", nullptr,
                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar);

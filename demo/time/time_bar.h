@@ -1,5 +1,5 @@
 #pragma once
-// The panel of time: runs, stops, slows down, goes back.
+// The panel that runs, stops, slows down and rewinds time.
 
 #include <optional>
 
@@ -9,18 +9,18 @@
 
 namespace weft::demo {
 
-/// What it asks of the program.
+/// Requests of the panel to the program.
 struct TimeRequests {
     std::optional<std::size_t> go_to;  ///< moment of the timeline
-    bool restart = false;              ///< the scene afresh, with the settings as they are
-    bool defaults = false;             ///< likewise, with the scene's own
+    bool restart = false;              ///< restart the scene with the present settings
+    bool defaults = false;             ///< restart the scene with its own settings
 };
 
-/// At the bottom, within `room` from the left edge on [pixels].
+/// Draws the panel at the bottom, within `room` from the left edge [pixels].
 [[nodiscard]] TimeRequests time_bar(const Timeline& timeline, Playback& playback, RepeatCheck& check,
                                     float room);
 
-/// What the check has found, in words.
+/// The check's result, in words.
 [[nodiscard]] std::string words_of(const RepeatCheck& check);
 
 }  // namespace weft::demo

@@ -11,24 +11,23 @@
 
 namespace weft::demo {
 
-/// A ring of saves, one after each step, in bounded memory: the oldest make room. Settings are not in them:
-/// what goes on from an earlier moment goes on with those that are set now. A save does not fit cloth that
-/// was cut since: a cut begins the ring anew.
+/// A ring of saves, one after each step, in bounded memory: the oldest are dropped. Saves hold no settings: a
+/// simulation that continues from an earlier moment keeps the present ones. A cut clears the ring, since
+/// older saves do not fit the cut cloth.
 class Timeline {
   public:
     static constexpr std::size_t usual_room = std::size_t{256} << 20;  ///< [bytes]
 
     explicit Timeline(std::size_t room = usual_room) : room_(room) {}
 
-    /// Keeps where the simulation is now, which becomes here(). What came after the last here() is forgotten:
-    /// it will not come.
+    /// Saves the present state, which becomes here(). Moments after the previous here() are dropped.
     Result<void> keep(const Simulation& simulation, const HandMark& mark = {});
-    /// Puts the simulation where it was at that moment, which becomes here(). Precondition: which < size().
-    /// Error: the World does not take the save, and stays where it is.
+    /// Restores the simulation to that moment, which becomes here(). Precondition: which < size(). Error: the
+    /// World does not take the save, and stays where it is.
     Result<void> go_to(std::size_t which, Simulation& simulation);
     void clear();
 
-    /// Moments from the oldest, 0.
+    /// Number of moments; the oldest is 0.
     [[nodiscard]] std::size_t size() const { return moments_.size(); }
     [[nodiscard]] std::size_t here() const { return here_; }
     [[nodiscard]] double time_of(std::size_t which) const { return moments_[which].time; }  ///< [s]
@@ -41,7 +40,7 @@ class Timeline {
         HandMark mark{};
         std::vector<std::byte> save;
     };
-    /// A moment with so much room, of the oldest where there is no other. None if even that is too little.
+    /// Gives `moment` a save of `size` bytes, for the oldest ones if needed. False: it exceeds the room.
     bool make_room(std::size_t size, Moment& moment);
 
     std::size_t room_, bytes_ = 0, here_ = 0;

@@ -43,7 +43,7 @@ const mouse = (type, x, y, button = type === 'mouseMoved' ? 'none' : 'left') =>
     ask('Input.dispatchMouseEvent', { type, x, y, button, buttons: type !== 'mouseReleased' && button === 'left' ? 1 : 0, clickCount: 1 });
 const tip = async () => (await state()).tip.split(' ').map(Number);
 
-// To the left end of a slider or the right one, as a hand drags it.
+// Drags a slider to its left or its right end, as a hand does.
 async function slide(name, toRight) {
     const box = JSON.parse(await evaluate(`JSON.stringify(document.getElementById('${name}').getBoundingClientRect())`));
     const y = box.y + box.height / 2;

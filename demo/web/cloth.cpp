@@ -1,4 +1,5 @@
-// The cloth of the page: what page.js calls. A flag on a mast, and a ball that the mouse drags through it.
+// The cloth of the page, with the functions that page.js calls: a flag on a mast, and a ball that the mouse
+// drags through it.
 
 #include <weft/weft.h>
 
@@ -20,7 +21,7 @@ struct Page {
     weft::ClothId flag{};
     weft::ColliderId ball{};
     weft::FixedStep clock =
-        weft::FixedStep::create({.max_steps_per_frame = 2}).value();  // beyond that it slows down
+        weft::FixedStep::create({.max_steps_per_frame = 2}).value();  // motion slows down on a slower machine
     std::vector<Vertex> vertices;
     std::string error;
 
@@ -75,7 +76,7 @@ bool write_vertices() {
 
 extern "C" {
 
-/// 1: it is there; 0: error() says why not.
+/// Makes the World. 1: success; 0: error() says why not.
 EXPORTED(make) int make(std::uint32_t rows, std::uint32_t columns, std::uint32_t fabric) {
     const std::span<const weft::NamedFabric> fabrics = weft::fabrics();
     weft::ClothSettings cloth;
@@ -96,7 +97,7 @@ EXPORTED(set_wind) int set_wind(float x, float y, float z, float gust) {
     settings.wind.gust = gust;
     return page.takes(page.world->set_settings(settings));
 }
-/// Over the next step.
+/// Moves the ball over the next step.
 EXPORTED(move_ball) int move_ball(float x, float y, float z) {
     return page.takes(page.world->move_collider(page.ball, ball_at(x, y, z)));
 }
@@ -104,7 +105,7 @@ EXPORTED(place_ball) int place_ball(float x, float y, float z) {
     return page.takes(page.world->place_collider(page.ball, ball_at(x, y, z)));
 }
 
-/// Steps that `seconds` were worth.
+/// Takes the steps of `seconds`, writes the vertices, and returns the number of steps.
 EXPORTED(advance) int advance(double seconds) {
     const weft::FixedStepFrame frame = page.clock.advance(seconds);
     for (int i = 0; i < frame.steps; ++i) page.world->step(static_cast<float>(page.clock.settings().step));

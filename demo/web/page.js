@@ -1,7 +1,7 @@
 // Draws what cloth.cpp steps, by WebGL 2. build.mjs puts the program's bytes into `program`.
 'use strict';
 
-// Of a system there is a clock, and words go to the console.
+// The WASI calls of the program: a clock, and text for the console.
 function systemFor(memory) {
     const nothing = 0, notThere = 52;
     const calls = {
@@ -71,7 +71,7 @@ function makeProgram(gl) {
     return program;
 }
 
-// A perspective of the eye at (0, 0, distance), looking along -z.
+// View and perspective of the eye at (0, 0, distance), looking along -z.
 function viewFrom(distance, aspect) {
     const f = 1 / Math.tan(0.35), near = 0.1, far = 20, depth = near - far;
     const a = (far + near) / depth, b = 2 * far * near / depth;
@@ -156,7 +156,7 @@ async function main() {
         show();
     }
 
-    // The mouse is where the wind blows to; while a button is down it has the ball.
+    // The wind blows towards the mouse; while a button is down the mouse moves the ball.
     const mouse = { x: 0.6, y: 0.05, isDown: false, ball: [0, -5, 0] };
     const place = event => {
         const box = canvas.getBoundingClientRect();
@@ -188,7 +188,7 @@ async function main() {
         const speed = Number(input('wind').value), length = Math.hypot(mouse.x + 0.5, mouse.y, 0.5) || 1;
         cloth.set_wind(speed * (mouse.x + 0.5) / length, speed * mouse.y / length, speed * 0.5 / length, Number(input('gust').value));
         if (mouse.isDown) {
-            mouse.ball[2] = Math.max(mouse.ball[2] - 0.01, -0.2);  // it comes through the flag
+            mouse.ball[2] = Math.max(mouse.ball[2] - 0.01, -0.2);  // the ball comes through the flag
             mouse.ball = [...spot(), mouse.ball[2]];
             cloth.move_ball(...mouse.ball);
         }

@@ -66,7 +66,7 @@ class App {
           picture_(std::move(picture)),
           layer_(heard(context_)),
           last_(glfwGetTime()) {
-        picture_.shows_wind = false;  // the hands' arrow does
+        picture_.shows_wind = false;  // the hands draw an arrow of their own
         arrive();
     }
 
@@ -91,7 +91,7 @@ class App {
     }
 
   private:
-    /// The layer passes on what keys_ hear.
+    /// Registers keys_ before the layer, which passes events on to them.
     render::Context& heard(render::Context& context) {
         keys_.listen_to(context.window_handle());
         return context;
@@ -137,7 +137,7 @@ class App {
         if (requests.scene != nullptr) change_scene(*requests.scene);
     }
 
-    /// The mouse and the gamepad.
+    /// Applies the mouse and the gamepad.
     void use_hands(float aspect, float seconds) {
         const Pointer pointer = read_pointer(layer_);
         pointed_ = camera_.ray(pointer.x, pointer.y, aspect);
@@ -154,7 +154,7 @@ class App {
         if (after.x != before.x || after.z != before.z) apply_wind();
     }
 
-    /// As many whole steps as the real time asks for.
+    /// Takes the whole steps that fit into the real time.
     void advance(double seconds) {
         if (panels_.look.recorder.recording())
             seconds = 1.0 / static_cast<double>(Recorder::pictures_a_second);
@@ -177,7 +177,7 @@ class App {
         note(timeline_.keep(simulation_, hands_.mark()));
     }
 
-    /// To a moment of the timeline.
+    /// Restores a moment of the timeline.
     void go_to(std::size_t which) {
         if (which >= timeline_.size()) return;
         const HandMark mark = timeline_.mark_of(which);
@@ -254,7 +254,7 @@ class App {
         arrive();
     }
 
-    /// What was about the world before is of no use any more.
+    /// Resets all that belonged to the previous world.
     void begin_anew() {
         picture_.set_beside(nullptr);
         picture_.show(simulation_);
@@ -275,7 +275,7 @@ class App {
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
     }
 
-    /// The scene stands in what the panels leave of the window, and is all seen there.
+    /// Fits the whole scene into the part of the window that panels leave free.
     void make_room() {
         const ImVec2 window = ImGui::GetIO().DisplaySize;
         if (window.x <= 0 || window.y <= 0) return;
@@ -346,12 +346,12 @@ class App {
 
     FixedStep clock_;
     double last_;            // time of the last picture [s]
-    float alpha_ = 1;        // between the last two steps
-    float beside_ = 0;       // how far away what the camera makes room for stands [m]
-    bool objected_ = false;  // the driver did, to something
+    float alpha_ = 1;        // blend between the last two steps
+    float beside_ = 0;       // distance of the second scene that the camera makes room for [m]
+    bool objected_ = false;  // the driver reported a problem
     Hands hands_;
     Gamepad pad_;
-    render::Ray pointed_{};  // through the pointer
+    render::Ray pointed_{};  // the ray through the pointer
     std::vector<ClothId> cloths_;
     Timeline timeline_;
     RepeatCheck repeat_;

@@ -11,7 +11,7 @@
 
 namespace weft::demo {
 
-/// What the program has after a picture, for whoever looks on.
+/// The program's state after a picture, for an observer.
 struct AppFrame {
     int number = 0;  ///< from 0
     const Simulation& simulation;
@@ -22,7 +22,7 @@ struct AppFrame {
     const render::OrbitCamera& camera;
     const Panels& panels;
 };
-/// False closes the window.
+/// An observer, called after each picture; false closes the window.
 using AppLook = std::function<bool(const AppFrame&)>;
 
 /// Runs until the window is closed, or for Options::frames pictures. Returns the program's exit status: 1

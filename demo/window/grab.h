@@ -1,5 +1,5 @@
 #pragma once
-// A hand on the cloth: it holds one particle and carries it with the pointer.
+// A hand on the cloth: it holds one particle and moves it with the pointer.
 
 #include <cstdint>
 #include <span>
@@ -16,15 +16,15 @@ class Grab {
     static constexpr float max_speed = 8.0f;
 
     /// Takes hold of the particle under the ray. False if the ray meets no cloth. The hand moves in the plane
-    /// through that particle across `forward`, the direction in which the camera looks.
+    /// through that particle normal to `forward`, the direction in which the camera looks.
     bool begin(World& world, std::span<const SceneCloth> cloths, const render::Ray& ray, const Vec3& forward);
-    /// Points the hand elsewhere.
+    /// Sets the hand's target: the point of its plane on the ray.
     void aim(const render::Ray& ray);
-    /// Carries the particle towards where the hand is pointed, over the step of dt [s] that follows.
+    /// Moves the particle towards the target over the step of dt [s] that follows.
     void before_step(World& world, float dt);
     /// Lets go. A particle that the scene had pinned stays pinned.
     void end(World& world);
-    /// It will stay pinned when it is let go, as though the scene had pinned it.
+    /// The particle will stay pinned after end(), as though the scene had pinned it.
     void leave_pinned() { was_pinned_ = true; }
     /// Forgets the particle: its world is gone.
     void forget() { active_ = false; }
@@ -33,7 +33,7 @@ class Grab {
     [[nodiscard]] bool was_pinned() const { return was_pinned_; }
     [[nodiscard]] ClothId cloth() const { return cloth_; }
     [[nodiscard]] std::uint32_t vertex() const { return vertex_; }
-    [[nodiscard]] Vec3 hand() const { return hand_; }  ///< where the particle is at the end of the step [m]
+    [[nodiscard]] Vec3 hand() const { return hand_; }  ///< place of the particle at the end of the step [m]
 
   private:
     bool active_ = false;

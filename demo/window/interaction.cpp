@@ -7,7 +7,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float radians_per_height = 3.0f;  // of orbiting, for a drag across the picture
+constexpr float radians_per_height = 3.0f;  // angle of orbiting per drag over the picture's height
 constexpr float zoom_per_notch = 1.12f;
 
 Vec3 looking_direction(const render::OrbitCamera& camera) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the mouse does: drags cloth, cuts it, or moves the camera.
+// The mouse: it drags cloth, cuts it, or moves the camera.
 
 #include <string>
 #include <utility>
@@ -13,8 +13,8 @@ namespace weft::demo {
 
 /// The mouse in one frame.
 struct Pointer {
-    float x = 0, y = 0;         ///< of the picture, in [0, 1], (0, 0) the upper left corner
-    float right = 0, down = 0;  ///< moved since the last frame, in heights of the picture
+    float x = 0, y = 0;         ///< place in the picture, in [0, 1]; (0, 0) is the upper left corner
+    float right = 0, down = 0;  ///< motion since the last frame, in heights of the picture
     bool left_button = false, other_button = false;  ///< held
     float wheel = 0;                                 ///< notches, away from the hand > 0
     bool over_panel = false;
@@ -24,23 +24,23 @@ struct Pointer {
 class Interaction {
   public:
     /// The left button on cloth grabs it, beside it orbits, and with the knife cuts all cloth on its way;
-    /// another button pans; the wheel zooms. What a press began goes on until all buttons are up, wherever
-    /// the pointer goes; one that began on a panel is the panel's.
+    /// another button pans; the wheel zooms. A drag lasts until all buttons are up, wherever the pointer
+    /// goes; one that began on a panel belongs to the panel.
     void update(const Pointer& pointer, float aspect, Simulation& simulation, render::OrbitCamera& camera);
-    /// Carries the grabbed particle over the step of dt [s] that follows. Pins that the scene moves itself
-    /// obey the scene.
+    /// Moves the grabbed particle over the step of dt [s] that follows. Pins that the scene moves itself obey
+    /// the scene.
     void before_step(Simulation& simulation, float dt) { grab_.before_step(simulation.world(), dt); }
-    /// The world that the hand was in is gone.
+    /// Call this when the hand's world is gone.
     void forget() {
         grab_.forget();
         if (drag_ == Drag::cut) drag_ = Drag::none;
     }
-    /// What is grabbed stays pinned when it is let go.
+    /// The grabbed particle stays pinned when it is let go.
     void leave_pinned() { grab_.leave_pinned(); }
 
     [[nodiscard]] const Grab& grab() const { return grab_; }
     [[nodiscard]] bool cuts() const { return drag_ == Drag::cut; }
-    /// Why cloth could not be cut, told once; empty: it could.
+    /// Why cloth could not be cut, reported once; empty: it could.
     [[nodiscard]] std::string take_complaint() { return std::exchange(complaint_, {}); }
 
   private:

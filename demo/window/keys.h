@@ -1,5 +1,5 @@
 #pragma once
-// The keys that are held down, as Dear ImGui numbers them; those that are tapped KeyTaps hears.
+// Keys that are held down, in Dear ImGui's numbers. KeyTaps records the keys that are tapped.
 
 #include <imgui.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which particle is under the pointer.
+// Finds the particle under the pointer.
 
 #include <cstdint>
 #include <optional>
@@ -11,10 +11,10 @@ namespace weft::demo {
 
 struct Hit {
     float distance;          ///< along the ray [m]
-    std::uint32_t particle;  ///< of the triangle's three, the nearest to where the ray meets it
+    std::uint32_t particle;  ///< corner of the triangle nearest to the point that was hit
 };
 
-/// Where the ray first meets the cloth, from either side.
+/// The ray's first hit on the cloth, from either side.
 [[nodiscard]] std::optional<Hit> first_hit(const ClothView& cloth, const render::Ray& ray);
 
 }  // namespace weft::demo

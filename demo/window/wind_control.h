@@ -5,13 +5,13 @@
 
 namespace weft::demo {
 
-/// A heading seen from above and a speed along the ground; what blows up or down is left as it is. The
-/// heading is kept while the air is still, so that the wind comes back from where it was.
+/// A heading seen from above and a speed along the ground; the vertical component is not changed. The heading
+/// is kept while the air is still, so that the wind returns with the same heading.
 class WindControl {
   public:
     static constexpr float max_speed = 100.0f;  ///< along the ground [m/s], the most that --wind takes
-    static constexpr float turn_rate = 1.6f;    ///< by keys [rad/s]
-    static constexpr float speed_rate = 4.0f;   ///< by keys [m/s^2]
+    static constexpr float turn_rate = 1.6f;    ///< turning by keys [rad/s]
+    static constexpr float speed_rate = 4.0f;   ///< change of speed by keys [m/s^2]
 
     WindControl() = default;
     explicit WindControl(const Vec3& velocity);

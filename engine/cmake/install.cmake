@@ -1,5 +1,5 @@
-# What `cmake --install` leaves behind: the libraries, the public headers, and packages by which find_package(weft) gives
-# weft::weft, and weft::render where it was built, and pkg-config gives weft. `cpack` makes a Debian package of that.
+# Installs the libraries, the public headers, and packages by which find_package(weft) gives weft::weft, and weft::render
+# if it was built, and by which pkg-config gives weft. `cpack` makes a Debian package of these files.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -33,7 +33,7 @@ write_basic_package_version_file(weftConfigVersion.cmake COMPATIBILITY SameMinor
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/weftConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/weftConfigVersion.cmake
   DESTINATION ${weft_package_dir})
 
-# The rooms' libraries need one another, in this order, and what they were built with; hosts in C the C++ library, too.
+# The rooms' libraries need one another, in this order, and the libraries they were built with. Hosts in C also need the C++ library.
 if(BUILD_SHARED_LIBS)
   set(weft_pc_libraries "-lweft")
   set(weft_pc_flags "-DWEFT_SHARED")

@@ -4,8 +4,8 @@
 // Invariant: the buffer is padded with T{} to a whole group of 16 elements. Kernels that work on groups read
 // and write the padding; nobody else does.
 //
-// Memory may come later: a buffer that is made as `unmade` has a size and none yet, and nobody may read or
-// write it; each copy of it has its memory, all of value T{}. So what is only there to be copied takes none.
+// A buffer that is made as `unmade` has a size but no memory, and must not be read or written. Each copy of
+// it has memory, all of value T{}. So a buffer that only serves to be copied takes none.
 
 #include <algorithm>
 #include <cstddef>
@@ -41,7 +41,7 @@ class AlignedBuffer {
     }
     AlignedBuffer(std::size_t size, Unmade /*later*/) : size_(padded(size) > 0 ? size : 0) {}
 
-    /// Of the elements that lie in these bytes, at any address.
+    /// A buffer of the elements in these bytes, which may be at any address.
     [[nodiscard]] static AlignedBuffer from_bytes(std::span<const std::byte> bytes) {
         AlignedBuffer made;
         const std::size_t size = bytes.size() / sizeof(T);
@@ -82,14 +82,14 @@ class AlignedBuffer {
     [[nodiscard]] T* data() noexcept { return data_; }
     [[nodiscard]] const T* data() const noexcept { return data_; }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
-    /// Those of an unmade one's copy.
+    /// Bytes of its memory; of an unmade buffer, those of a copy.
     [[nodiscard]] std::size_t bytes() const noexcept { return padded(size_) * sizeof(T); }
     T& operator[](std::size_t i) noexcept { return data_[i]; }
     const T& operator[](std::size_t i) const noexcept { return data_[i]; }
     [[nodiscard]] std::span<T> span() noexcept { return {data(), size_}; }
     [[nodiscard]] std::span<const T> span() const noexcept { return {data(), size_}; }
 
-    /// So many elements, and what fills them up to whole groups.
+    /// Number of elements, rounded up to whole groups.
     static constexpr std::size_t padded(std::size_t size) {
         if (size > most) refuse_memory();
         return (size + group - 1) / group * group;
@@ -97,7 +97,7 @@ class AlignedBuffer {
 
   private:
     static constexpr std::size_t most =
-        std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T) / group * group;  // elements that can be named
+        std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T) / group * group;  // addressable elements
 
     static T* allocate(std::size_t count) {
         if (count == 0) return nullptr;

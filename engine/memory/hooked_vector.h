@@ -25,11 +25,11 @@ struct HookedAllocator {
     }
 
   private:
-    /// As hosts are told: a multiple of 16.
+    /// A multiple of 16, as Hooks::allocate documents.
     static constexpr std::size_t bytes(std::size_t count) { return (count * sizeof(T) + 15) / 16 * 16; }
 };
 
-/// For what grows with the particles; what is a handful of items may be any vector.
+/// For lists that grow with the particles; a handful of items may be in any vector.
 template <class T>
 using HookedVector = std::vector<T, HookedAllocator<T>>;
 

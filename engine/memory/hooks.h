@@ -9,13 +9,13 @@ namespace weft {
 
 inline constexpr std::size_t memory_alignment = 64;
 
-/// Aligned memory; counted. Or refuse_memory().
+/// Aligned memory, counted in memory_in_use(). Calls refuse_memory() if there is none.
 [[nodiscard]] void* take_memory(std::size_t bytes);
 void give_memory_back(void* memory, std::size_t bytes) noexcept;
 
-/// One line for the host, which is cut at 255 characters.
+/// Sends one line to the host, cut at 255 characters.
 [[gnu::format(printf, 2, 3)]] void log_line(LogLevel level, const char* format, ...) noexcept;
-[[nodiscard]] bool is_logged() noexcept;  ///< else a line is not worth making
+[[nodiscard]] bool is_logged() noexcept;  ///< else lines are dropped
 
 void begin_zone(const char* name) noexcept;
 void end_zone(const char* name) noexcept;

@@ -1,8 +1,7 @@
 #pragma once
-// What has to hold of lists that were read. They are sound, mostly: loops go through all, without a branch,
-// rather than to what is first not so; and by differences, whose first bits any vector can gather. Where they
-// are called one after the other a compiler takes the later ones to be rare, and would not make vectors of
-// them.
+// Checks of lists that were read. Most lists are sound, so loops test all numbers without a branch instead of
+// stopping at the first fault. They gather the top bits of differences, which any vector unit can do. The
+// checks are not inlined: a compiler takes the later ones of a chain to be rare and would not vectorise them.
 
 #include <algorithm>
 #include <bit>
@@ -15,7 +14,7 @@
 
 namespace weft {
 
-/// All numbers of a list, whose items are made of them.
+/// The numbers that a list's items are made of.
 template <class Number, class Item>
 [[nodiscard]] std::span<const Number> numbers_of(const SharedBuffer<Item>& list) {
     static_assert(sizeof(Item) % sizeof(Number) == 0);
@@ -34,7 +33,7 @@ inline constexpr std::uint32_t first_bit = 1u << 31;
     return bits < first_bit;
 }
 
-/// Ascending offsets of `rows` rows of a list of `items`.
+/// Whether these are ascending offsets of `rows` rows in a list of `items`.
 [[nodiscard, gnu::noinline]] inline bool are_offsets(std::span<const std::uint32_t> offsets, std::size_t rows,
                                                      std::size_t items) {
     if (offsets.size() != rows + 1 || offsets[0] != 0 || offsets[rows] != items || items >= first_bit)
@@ -44,7 +43,7 @@ inline constexpr std::uint32_t first_bit = 1u << 31;
     return bits < first_bit;
 }
 
-/// Of -most to most; not-a-number is not.
+/// Whether all numbers are from -most to most; one that is not a number is not.
 [[nodiscard, gnu::noinline]] inline bool are_within(std::span<const float> numbers,
                                                     float most = std::numeric_limits<float>::max()) {
     const auto last = std::bit_cast<std::uint32_t>(most);
@@ -53,7 +52,7 @@ inline constexpr std::uint32_t first_bit = 1u << 31;
     return bits < first_bit;
 }
 
-/// Finite, and no less than 0; -0 is not, either.
+/// Whether all numbers are finite and at least 0; -0 does not count as 0.
 [[nodiscard, gnu::noinline]] inline bool are_from_zero(std::span<const float> numbers) {
     constexpr auto last = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::max());
     std::uint32_t bits = 0;

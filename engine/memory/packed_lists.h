@@ -1,8 +1,8 @@
 #pragma once
-// Lists and values in bytes, one behind the other, each as an AlignedBuffer has it in memory: at a multiple
-// of 64 bytes, and filled up with T{} to whole groups of 16. So a list can be used where it lies.
+// Lists and values packed in bytes, one behind the other, each laid out as in an AlignedBuffer: at a multiple
+// of 64 bytes, and padded with T{} to whole groups of 16. So a list can be used in place.
 //
-// Visitors: what visits its parts with one of them in the same order is counted, written or read.
+// The classes are visitors: an object that passes its parts in one order to each is counted, written or read.
 
 #include <algorithm>
 #include <cstddef>
@@ -17,12 +17,12 @@
 
 namespace weft {
 
-/// So many bytes, and what fills them up.
+/// Number of bytes, rounded up to the alignment.
 constexpr std::size_t packed_size(std::size_t bytes) {
     return (bytes + memory_alignment - 1) / memory_alignment * memory_alignment;
 }
 
-/// Items of a list as they are packed.
+/// Type of a list's items as they are packed.
 template <class List>
 using PackedItem = std::remove_cvref_t<decltype(std::declval<List&>()[0])>;
 template <class T>
@@ -49,7 +49,7 @@ class PackedSize {
 
 class PackedWriter {
   public:
-    /// As many bytes as PackedSize has counted.
+    /// Precondition: as many bytes as PackedSize has counted.
     explicit PackedWriter(std::span<std::byte> to) : left_(to) {}
 
     template <class List>
@@ -74,11 +74,11 @@ class PackedWriter {
     std::span<std::byte> left_;
 };
 
-/// Lends SharedBuffers what it reads and copies other lists. What is read may be anything, but for what fills
-/// lists up.
+/// Lends SharedBuffers the memory that it reads, and copies other lists. Values are not checked, but padding
+/// has to be zero.
 class PackedReader {
   public:
-    /// At a multiple of 64 bytes. The owner keeps them.
+    /// Precondition: the bytes begin at a multiple of 64, and the owner keeps them.
     PackedReader(std::span<const std::byte> bytes, std::shared_ptr<const void> owner)
         : left_(bytes), owner_(std::move(owner)) {}
 
@@ -98,7 +98,7 @@ class PackedReader {
     }
     /// Whether all bytes were needed, and no more.
     [[nodiscard]] bool fits() const { return is_sound_ && left_.empty(); }
-    /// Whether all was there as yet.
+    /// Whether all parts so far were there, with zeros as padding.
     [[nodiscard]] bool is_sound() const { return is_sound_; }
 
   private:

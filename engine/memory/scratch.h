@@ -1,14 +1,14 @@
 #pragma once
-// Memory for what is of use within a substep only: arrays that are laid out one after the other, anew in each
+// Memory for data of use within a substep only: arrays that are laid out one after the other, anew for each
 // use.
 //
-// Who lays arrays out does so twice, by the same calls: once to measure how many bytes they take, long before
-// a step, and then in memory of that size, as often as it likes and at no cost. So nothing is allocated in a
-// step, and what is measured is what is taken.
+// Arrays are laid out twice, by the same calls: once to measure their bytes, long before a step, and then in
+// memory of that size, as often as needed and at no cost. So a step allocates nothing, and takes what was
+// measured.
 //
 // Invariant: an array is padded to a whole group of 16 elements, as an AlignedBuffer is: with zeros, until a
-// kernel that works on groups writes there. But it holds what its memory held before: whoever reads an
-// element has written it since the layout.
+// kernel that works on groups writes there. Its elements are not initialised: write each one after the layout
+// before reading it.
 
 #include <algorithm>
 #include <cstddef>
@@ -22,15 +22,15 @@
 
 namespace weft {
 
-/// An array in someone else's memory, by which it does not know whether that is still there.
+/// An array in memory that it does not own, and of whose lifetime it does not know.
 template <class T>
 class ScratchArray {
     static_assert(std::is_trivially_destructible_v<T> && alignof(T) <= memory_alignment);
 
   public:
     ScratchArray() = default;
-    /// Precondition: there is memory for `size` elements, and for what fills them up to whole groups. Null:
-    /// it has a size and no memory, and nobody may read or write it.
+    /// Precondition: memory for `size` elements, padded to whole groups. Null: the array has a size but no
+    /// memory, and must not be read or written.
     ScratchArray(T* data, std::size_t size) noexcept : data_(data), size_(size) {}
 
     [[nodiscard]] T* data() noexcept { return data_; }
@@ -48,9 +48,9 @@ class ScratchArray {
 
 class Scratch {
   public:
-    /// Measures, and gives out arrays without memory.
+    /// Measures only: arrays get no memory.
     Scratch() = default;
-    /// Precondition: it is aligned to memory_alignment, and all that is taken goes into it.
+    /// Precondition: the memory is aligned to memory_alignment, and large enough for all arrays.
     explicit Scratch(std::byte* memory) noexcept : begin_(memory) {}
 
     /// The array becomes the next `size` elements.
@@ -58,14 +58,14 @@ class Scratch {
     void take(ScratchArray<T>& array, std::size_t size) {
         take_padded(array, size, AlignedBuffer<T>::padded(size));
     }
-    /// Without padding, for what is no kernel's.
+    /// The same without padding, for arrays that no kernel works on.
     template <class T>
     void take_few(ScratchArray<T>& array, std::size_t size) {
         take_padded(array, size, size);
     }
 
-    /// Both calls take arrays from the same place on: those of the first are of no use any more when those of
-    /// the second begin to be.
+    /// Both calls take arrays from the same place on: the first ones are no longer in use when the second
+    /// ones come into use.
     template <class First, class Second>
     void take_by_turns(const First& first, const Second& second) {
         const std::size_t begin = end_;
@@ -90,7 +90,7 @@ class Scratch {
         most_ = std::max(most_, end_);
         if (at == nullptr) return;
 #ifndef NDEBUG
-        std::memset(at, 0xCD, bytes);  // who reads what it has not written is to notice
+        std::memset(at, 0xCD, bytes);  // exposes reads of elements that were not written
 #endif
         std::memset(at + size * sizeof(T), 0, bytes - size * sizeof(T));
     }
@@ -125,8 +125,8 @@ class ScratchMemory {
     std::size_t bytes_ = 0;
 };
 
-/// Memory of an object that is used alone, until somebody lays it out in theirs. A copy of the object has
-/// none.
+/// Scratch memory of an object that is used alone, until a caller lays it out in other memory. A copy of the
+/// object has none.
 class OwnScratch {
   public:
     OwnScratch() = default;
@@ -134,7 +134,7 @@ class OwnScratch {
     OwnScratch& operator=(const OwnScratch&) = delete;
     ~OwnScratch() = default;
 
-    /// The object's lay_out(), which takes these sizes, begins with free().
+    /// Lays the object out. Precondition: its lay_out(), which takes these sizes, begins with free().
     template <class Object, class... Sizes>
     void lay_out(Object& object, const Sizes&... sizes) {
         Scratch measured;

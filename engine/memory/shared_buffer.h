@@ -1,6 +1,6 @@
 #pragma once
-// Memory that is written while something is made, and after that only read: copies share it. Who is to change
-// a copy makes it its own first.
+// Memory that is written while an object is made and only read afterwards: copies share it. A copy that is to
+// change needs memory of its own first.
 
 #include <cstddef>
 #include <memory>
@@ -11,14 +11,14 @@
 
 namespace weft {
 
-/// An AlignedBuffer, padded as that is. What copies are made of must not change any more, nor the copies
-/// unless they have been made their own. So threads may copy one buffer at a time, and read all copies.
-/// Or it is lent: of memory that somebody else keeps, a file's, where it is read alone.
+/// An AlignedBuffer that copies share, padded as that is. A buffer with copies must not change any more, nor
+/// may a copy change before make_own(). So threads may copy one buffer at the same time, and read all copies.
+/// A lent buffer refers to memory that another owner keeps, such as a file's, and is only read.
 template <class T>
 class SharedBuffer {
   public:
     SharedBuffer() = default;
-    /// `size` elements, all of value T{}. Throws std::bad_alloc, as all that makes memory here.
+    /// `size` elements, all of value T{}. Throws std::bad_alloc, as everything here that allocates.
     explicit SharedBuffer(std::size_t size) : SharedBuffer(AlignedBuffer<T>(size)) {}
     SharedBuffer(AlignedBuffer<T>&& made) : size_(made.size()) {  // NOLINT(google-explicit-constructor)
         if (size_ == 0) return;
@@ -28,7 +28,7 @@ class SharedBuffer {
     }
     explicit SharedBuffer(std::span<const T> values)
         : SharedBuffer(AlignedBuffer<T>::from_bytes(std::as_bytes(values))) {}
-    /// Values that `owner` keeps as they are, aligned and padded as an AlignedBuffer's.
+    /// A buffer of values that `owner` keeps unchanged, aligned and padded as an AlignedBuffer's.
     [[nodiscard]] static SharedBuffer lent(std::shared_ptr<const void> owner, std::span<const T> values) {
         SharedBuffer made;
         if (values.empty()) return made;
@@ -56,7 +56,7 @@ class SharedBuffer {
     }
     ~SharedBuffer() = default;
 
-    /// Gives a copy, or what is lent, memory of its own, with the same values.
+    /// Gives a copy or a lent buffer memory of its own, with the same values.
     void make_own() {
         if (is_copy_ || is_lent_) *this = SharedBuffer(std::as_const(*this).span());
     }
@@ -65,7 +65,7 @@ class SharedBuffer {
     [[nodiscard]] const T* data() const noexcept { return data_; }
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    /// 0 for a copy: they are those of what it is a copy of. What is lent counts.
+    /// Bytes of its memory; 0 for a copy, whose original counts them. Lent memory counts.
     [[nodiscard]] std::size_t bytes() const noexcept {
         return is_copy_ ? 0 : AlignedBuffer<T>::padded(size_) * sizeof(T);
     }

@@ -1,7 +1,7 @@
 #pragma once
-// The edge of the interface, which no exception crosses, and what stands within it in place of try and catch:
-// the library can be built without exceptions (WEFT_EXCEPTIONS=OFF). Then what would have thrown ends the
-// process, memory that is not there above all.
+// The edge of the interface, which no exception crosses, and replacements of try and catch within it: the
+// library can be built without exceptions (WEFT_EXCEPTIONS=OFF). Then an error that would throw ends the
+// process, above all a failed allocation.
 
 #include <utility>
 
@@ -15,16 +15,16 @@ inline constexpr bool has_exceptions = true;
 inline constexpr bool has_exceptions = false;
 #endif
 
-/// Thrown by what cannot return an Error, for the edge to hand to the host.
+/// Thrown by functions that cannot return an Error; the edge hands it to the host.
 struct Refusal {
     Error error;
 };
 [[noreturn]] void refuse(Error error);
-/// As operator new does.
+/// Throws std::bad_alloc, as operator new does.
 [[noreturn]] void refuse_memory();
 
-/// Runs `act`; memory or threads that could not be had become an error. So do those that the texts of its own
-/// errors need.
+/// Runs `act`. Memory or threads that the system refuses become an error, also where memory for an error's
+/// text is refused.
 template <class Act>
 auto without_exceptions(const Act& act) noexcept -> decltype(act()) {
 #ifdef __cpp_exceptions
@@ -33,14 +33,14 @@ auto without_exceptions(const Act& act) noexcept -> decltype(act()) {
     } catch (Refusal& refusal) {
         return std::move(refusal.error);
     } catch (...) {
-        return Error{ErrorCode::out_of_memory, "out of memory"};  // so short that it needs none
+        return Error{ErrorCode::out_of_memory, "out of memory"};  // so short that it needs no memory
     }
 #else
     return act();
 #endif
 }
 
-/// Whether `act` came to its end; what it threw is dropped.
+/// Runs `act`. Returns whether it came to its end; an exception is dropped.
 template <class Act>
 [[nodiscard]] bool comes_through(const Act& act) noexcept {
 #ifdef __cpp_exceptions
@@ -55,7 +55,7 @@ template <class Act>
     return true;
 }
 
-/// Runs `act`. If it throws `undo` runs, which must not, and the exception goes on.
+/// Runs `act`. If it throws, `undo` runs, which must not throw, and the exception propagates.
 template <class Act, class Undo>
 void or_undo(const Act& act, [[maybe_unused]] const Undo& undo) {
 #ifdef __cpp_exceptions
@@ -70,7 +70,7 @@ void or_undo(const Act& act, [[maybe_unused]] const Undo& undo) {
 #endif
 }
 
-/// Runs `act`, and what it throws of this kind is dropped.
+/// Runs `act`; exceptions of this kind are dropped.
 template <class Exception, class Act>
 void ignoring(const Act& act) {
 #ifdef __cpp_exceptions

@@ -13,8 +13,8 @@ namespace weft {
 
 namespace {
 
-// Written as text: what a JSON library needs memory for when it cleans up cannot be had where memory has run
-// out. Names are Weft's own, and hold nothing that JSON would have to escape.
+// JSON is written as text, because a JSON library needs memory to clean up, and memory may have run out.
+// Names are Weft's own, and hold nothing that JSON would have to escape.
 void write_name(std::ostream& out, const char* kind, std::uint32_t thread, const std::string& name) {
     out << R"({"name":")" << kind << R"(","ph":"M","pid":1,"tid":)" << thread << R"(,"args":{"name":")"
         << name << R"("}})";
@@ -57,7 +57,7 @@ Result<void> write_chrome_trace(const std::filesystem::path& file, std::span<con
     std::ofstream out(file);
     ignoring<std::ios_base::failure>([&] {
         if constexpr (has_exceptions)
-            out.exceptions(std::ios_base::badbit);  // else a stream keeps to itself that memory ran out
+            out.exceptions(std::ios_base::badbit);  // otherwise a stream hides that memory ran out
         out << std::fixed << std::setprecision(3) << "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n";
         write_name(out, "process_name", 0, "weft");
         for (const auto& [thread, name] : names) {

@@ -1,5 +1,5 @@
 #pragma once
-// Times the stages of a step, where they stand. Stages are named once; timing one costs two clock reads.
+// Times the stages of a step. Stages are named once; timing one costs two clock reads.
 //
 // Times are whole nanoseconds, so their sums do not depend on the order in which threads add them.
 
@@ -64,7 +64,7 @@ class Profiler {
     /// Keeps every scope and the blocks of parallel loops from here on, up to `max_events`, for write_trace.
     /// Errors: those of TraceLog::start.
     Result<void> start_trace(std::size_t max_events);
-    /// For the loops that run in this profiler's stages.
+    /// The log of loops that run in this profiler's stages.
     [[nodiscard]] TraceLog& trace() noexcept { return trace_; }
     /// Writes the kept scopes in Chrome's trace event format, which Perfetto and chrome://tracing open.
     /// Error: the file cannot be written, or start_trace was not called.
@@ -89,7 +89,7 @@ class Profiler {
     std::array<Row, max_stages + 1> rows_;  // the stages, then the step
     std::uint64_t steps_ = 0;
     Clock::time_point step_begin_;
-    mutable std::array<StageTime, max_stages + 1> summaries_;  // what stages() shows
+    mutable std::array<StageTime, max_stages + 1> summaries_;  // result of stages()
     TraceLog trace_;
 };
 

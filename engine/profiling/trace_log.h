@@ -1,5 +1,5 @@
 #pragma once
-// What ran when, on which thread: filled by any number of threads at once, without locks.
+// A log of events with their threads and times, filled by any number of threads at once, without locks.
 
 #include <atomic>
 #include <chrono>
@@ -11,15 +11,15 @@
 
 namespace weft {
 
-/// Something that ran from `begin` to `end` on one thread.
+/// A stage, or one thread's share of a loop, from `begin` to `end`.
 struct TraceEvent {
     const char* name = "";
     std::uint32_t thread = 0;  ///< thread_number() of that thread
-    std::uint32_t blocks = 0;  ///< of a parallel loop, that the thread ran; 0: not part of a loop
+    std::uint32_t blocks = 0;  ///< blocks of a parallel loop that the thread ran; 0: not part of a loop
     std::chrono::steady_clock::time_point begin, end;
 };
 
-/// Of the calling thread: 1 for the first in this process that asks, then 2, 3, ...
+/// Number of the calling thread: 1 for the first in this process that asks, then 2, 3, ...
 [[nodiscard]] std::uint32_t thread_number() noexcept;
 
 class TraceLog {
@@ -28,9 +28,9 @@ class TraceLog {
 
     static constexpr std::size_t most_events = std::size_t{1} << 26;
 
-    /// Forgets what it holds and keeps up to `max_events` from here on; what comes later is dropped.
-    /// Allocates; nothing may be added meanwhile. Error, which leaves the log as it was: max_events beyond
-    /// [1, most_events], or no memory.
+    /// Clears the log and keeps up to `max_events` from here on; later events are dropped. Allocates; nothing
+    /// may be added meanwhile. Error, which leaves the log as it was: max_events beyond [1, most_events], or
+    /// no memory.
     Result<void> start(std::size_t max_events);
     [[nodiscard]] bool is_on() const noexcept { return !events_.empty(); }
 
@@ -40,7 +40,7 @@ class TraceLog {
     void add_block(std::uint64_t loop, const char* name, Time begin, Time end) noexcept;
     [[nodiscard]] static std::uint64_t new_loop() noexcept;
 
-    /// In the order in which they ended. Nothing may be added meanwhile.
+    /// Events in the order in which they were appended. Nothing may be added meanwhile.
     [[nodiscard]] std::span<const TraceEvent> events() const noexcept;
 
   private:
@@ -50,7 +50,7 @@ class TraceLog {
     std::atomic<std::size_t> appended_ = 0;  // may run past the size
 };
 
-/// Names what the calling thread is doing, for the parallel loops that it starts meanwhile.
+/// Names the calling thread's activity, for the parallel loops that it starts meanwhile.
 class NamedActivity {
   public:
     explicit NamedActivity(const char* name) noexcept;
@@ -58,7 +58,7 @@ class NamedActivity {
     NamedActivity(const NamedActivity&) = delete;
     NamedActivity& operator=(const NamedActivity&) = delete;
 
-    /// The innermost that stands on the calling thread; "loop" if there is none.
+    /// The innermost activity of the calling thread; "loop" if there is none.
     [[nodiscard]] static const char* current() noexcept;
 
   private:

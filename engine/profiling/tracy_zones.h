@@ -1,6 +1,6 @@
 #pragma once
-// The Tracy profiler's view of what is timed, where the build asks for it (WEFT_TRACY); nothing at all
-// otherwise.
+// Timed stages as zones of the Tracy profiler, if the build asks for it (WEFT_TRACY); otherwise no code at
+// all.
 
 #ifdef WEFT_TRACY
 
@@ -11,7 +11,7 @@ namespace weft {
 
 inline constexpr bool with_tracy = true;
 
-/// Shows its lifetime on its thread's line.
+/// A zone that lasts as long as the object, on its thread's line.
 class TracyZone {
   public:
     explicit TracyZone(const char* name) noexcept
@@ -27,7 +27,7 @@ class TracyZone {
     TracyCZoneCtx zone_;
 };
 
-/// Steps are a set of frames of their own, beside the host's.
+/// Steps form a set of frames of their own, beside the host's.
 inline void tracy_begin_step() noexcept {
     TracyCFrameMarkStart("cloth step");
 }

@@ -18,8 +18,8 @@ using HalfBits = hn::Rebind<std::uint16_t, Tag>;
 HWY_INLINE Lanes load_halves(const std::uint16_t* values) {
     return hn::PromoteTo(Tag(), hn::BitCast(HalfTag(), hn::Load(HalfBits(), values)));
 }
-/// Stores values as halves and returns what a load will give back. Values are cut to eleven digits, not
-/// rounded: that takes one instruction in place of two, in the loop that linearises.
+/// Stores values as halves and returns the values that a load will give back. They are truncated to eleven
+/// binary digits, not rounded: one instruction in place of two, in the loop that linearises.
 HWY_INLINE Lanes store_halves(Lanes v, std::uint16_t* values) {
     const hn::RebindToUnsigned<Tag> bits;
     const Lanes cut = hn::BitCast(Tag(), hn::And(hn::BitCast(bits, v), hn::Set(bits, 0xFFFFE000u)));

@@ -82,8 +82,7 @@ HWY_INLINE Lanes load_lanes(const float* values) {
 HWY_INLINE Lanes4 load_rows(const Vec4* rows) {
     const Tag d;
     Lanes4 v;
-    if constexpr (part_lanes ==
-                  16) {  // with shuffles across a register half as many as with those within quarters
+    if constexpr (part_lanes == 16) {  // across the register: half as many shuffles as within 128 bits
         const float* values = &rows->x;
         const Lanes r0 = hn::LoadU(d, values), r1 = hn::LoadU(d, values + 16);
         const Lanes r2 = hn::LoadU(d, values + 32), r3 = hn::LoadU(d, values + 48);
@@ -122,7 +121,7 @@ struct Rows {
     Lanes r0, r1, r2, r3;
 };
 
-/// row(0), row(1), ..
+/// Rows row(0), row(1), ..
 template <class RowAt>
 HWY_INLINE Rows rows_from(const RowAt& row) {
     const Tag d;
@@ -135,7 +134,7 @@ HWY_INLINE Rows fetch(const Vec4* rows, const Number* nodes) {
     return rows_from([=](std::uint32_t k) HWY_ATTR { return hn::Load(RowTag(), &rows[nodes[k]].x); });
 }
 
-/// Row i's x, y, z and w to lane i: transposed in registers, four by four.
+/// Transposes in registers, four by four: row i's x, y, z and w go to lane i.
 HWY_INLINE Lanes4 lanes4_of(const Rows& v) {
     const Tag d;
     const hn::Repartition<std::uint64_t, Tag> pairs;

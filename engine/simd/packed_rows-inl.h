@@ -1,5 +1,5 @@
-// Vec4 rows in registers as they lie in memory, for kernels that are mostly sums of rows: what is added needs
-// no transposing. Included like cloth/equation/sparse/stencil-inl.h, on which it builds.
+// Vec4 rows in registers as they lie in memory, for kernels that are mostly sums of rows: sums need no
+// transposing. Included like cloth/equation/sparse/stencil-inl.h, on which it builds.
 
 #if defined(WEFT_ENGINE_SIMD_PACKED_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_ENGINE_SIMD_PACKED_ROWS_INL_H
@@ -81,8 +81,8 @@ HWY_INLINE PackedRows gather_packed(const Vec4* rows, const std::uint32_t* offse
             rows_side_by_side(d, rows, offsets + 3 * quarter)};
 }
 
-/// One row to a lane. The order of lanes is not that of the rows, but the same in all registers; packed()
-/// undoes it.
+/// Transposes to one row a lane. The order of lanes is not that of the rows, but the same in all registers;
+/// packed() undoes it.
 HWY_INLINE Lanes3 unpacked(const PackedRows& v) {
     return lanes_of(Rows{v.r0, v.r1, v.r2, v.r3});
 }

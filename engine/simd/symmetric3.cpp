@@ -4,8 +4,8 @@
 
 namespace weft {
 
-// By L D L^T. Every pivot of a matrix is at least its least eigenvalue, so one that rounding has brought
-// below is lifted.
+// L D L^T factorisation. Every pivot of a matrix is at least its least eigenvalue, so a pivot that rounding
+// has brought below is lifted.
 Symmetric3 inverse(const Symmetric3& m, float least) {
     const float floor = std::max(least, inverse_rounding * (m.xx + m.yy + m.zz));
     const float lift = floor - least;

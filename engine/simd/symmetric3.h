@@ -39,7 +39,7 @@ struct Symmetric3 {
     return {factor * m.xx, factor * m.yy, factor * m.zz, factor * m.xy, factor * m.xz, factor * m.yz};
 }
 
-/// What a sum of a dozen springs is rounded by, relative to its trace.
+/// Rounding error of a sum of a dozen springs, relative to its trace.
 inline constexpr float inverse_rounding = 3e-7f;
 
 /// The inverse of a matrix whose eigenvalues are at least `least` > 0. Single precision loses directions that

@@ -23,10 +23,10 @@ class HostTeam {
     /// within a step.
     void lend(void (*step)(void* context), void* context) noexcept;
 
-    /// Whether a step is being run. Of the step's own thread, and of bodies of its loops.
+    /// Whether a step is being run. Only the step's own thread and bodies of its loops may ask.
     [[nodiscard]] bool is_lent() const noexcept { return is_lent_; }
 
-    /// Runs all blocks: with those who help, or on the calling thread alone where no step is being run.
+    /// Runs all blocks: with the helpers, or on the calling thread alone if no step is being run.
     void run(std::uint32_t block_count, Executor::Body body, void* context);
 
   private:

@@ -32,7 +32,7 @@ void pause() {
 thread_local bool LoopTeam::inside_body_ = false;
 
 // Invariant: a place's tag is the loop's number only from the time that the loop is posted until its blocks
-// are done. So whoever raises `next` under that tag has a block of that loop, and read it whole.
+// are done. A thread that raises `next` under that tag owns a block of the loop, and read it whole.
 void LoopTeam::begin(const Loop& loop) {
     ++number_;
     Posted& posted = posted_[number_ % 2];
@@ -69,7 +69,7 @@ void LoopTeam::take_blocks(std::uint32_t number, std::uint32_t own_place) {
     if (taken > 0) finished_.fetch_add(taken, std::memory_order_release);
 }
 
-// A helper that was interrupted within a block may have this thread's core: after a while, let it run.
+// A helper that was interrupted within a block may need this thread's core: yield after a while.
 void LoopTeam::await_end(std::uint32_t block_count) const {
     for (int spins = 0; finished_.load(std::memory_order_acquire) != block_count; ++spins) {
         if (spins < 2000)

@@ -54,14 +54,14 @@ class LoopTeam {
         Executor::Body body;
         void* context;
     };
-    /// Each thread starts with blocks of its own, the same in every loop of as many, so that what it wrote is
-    /// still in its cache; then it takes what others have left.
+    /// Each thread starts with blocks of its own, the same in every loop of as many, so that data that it
+    /// wrote is still in its cache. Then it takes blocks that others have left.
     struct alignas(64) Place {
         std::atomic<std::uint64_t> next = 0;  // number of the loop << 32 | next of the place's blocks
         std::atomic<bool> is_taken = false;
     };
-    /// Of the loop in work, by parity of its number. A helper that comes too late may read one while the next
-    /// but one is written. It then finds another loop's tags at all places: these were written before.
+    /// The loop in work, by parity of its number. A late helper may read one while the next but one is
+    /// written. It then finds other loops' tags at all places, because these were written before.
     struct Posted {
         std::atomic<std::uint32_t> block_count;
         std::atomic<Executor::Body> body;
@@ -80,7 +80,7 @@ class LoopTeam {
 
     std::vector<Place> places_;
     Posted posted_[2] = {};
-    std::uint32_t number_ = 0;                             // of the latest loop; the runner's
+    std::uint32_t number_ = 0;                             // number of the latest loop; the runner's own
     alignas(64) std::atomic<std::uint32_t> begun_ = 0;     // the same, for helpers to watch
     alignas(64) std::atomic<std::uint32_t> finished_ = 0;  // blocks of the loop in work
     std::atomic<bool> is_closed_ = false;

@@ -24,7 +24,7 @@ namespace {
 
 [[maybe_unused]] constexpr int max_threads = 256;
 
-// Of a helper that waits for the next loop. Between steps it leaves, so that oneTBB's threads can sleep.
+// Longest wait of a helper for the next loop. Between steps it leaves, so that oneTBB's threads can sleep.
 constexpr std::chrono::microseconds patience{200};
 
 #if defined(WEFT_WITHOUT_THREADS)
@@ -49,8 +49,8 @@ class Helpers {
         : team_(std::move(team)), waiting_(waiting), arena_(threads) {
         arena_.initialize();
     }
-    // Late helpers leave at once, but oneTBB has to start them first: a task that never ran would be lost
-    // memory. Not for ever: where the process ends, there may be no threads left to start them.
+    // Late helpers leave at once, but oneTBB has to start them first, or their tasks' memory would be lost.
+    // The wait is limited: where the process ends, there may be no threads left to start them.
     ~Helpers() {
         using Clock = std::chrono::steady_clock;
         const Clock::time_point limit = Clock::now() + std::chrono::seconds(1);
@@ -72,7 +72,7 @@ class Helpers {
     tbb::task_arena arena_;
 };
 
-// Asked for more than it allows, oneTBB starts none of them and says so on standard error.
+// If asked for more threads than it allows, oneTBB starts none of them and says so on standard error.
 int available_threads() {
     using tbb::global_control;
     return static_cast<int>(std::min<std::size_t>(

@@ -8,7 +8,7 @@
 namespace weft::render {
 namespace {
 
-// Of speed drivers say how they work, not what is wrong: NVIDIA's that it compiles a shader once more.
+// Performance messages are skipped: they report no errors (NVIDIA's: a shader was compiled once more).
 void GLAD_API_PTR hear(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity, GLsizei /*length*/,
                        const GLchar* message, const void* to) {
     if (type == GL_DEBUG_TYPE_PERFORMANCE) return;
@@ -21,7 +21,7 @@ void GLAD_API_PTR hear(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum sev
 Complaints::Complaints() {
     if (GLAD_GL_KHR_debug == 0) return;
     glEnable(GL_DEBUG_OUTPUT);
-    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // on this thread, within the call that is at fault
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // messages arrive within the call at fault
     glDebugMessageCallback(hear, this);
 }
 

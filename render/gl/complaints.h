@@ -1,21 +1,21 @@
 #pragma once
-// What an OpenGL driver objects to (KHR_debug).
+// Debug messages of an OpenGL driver (KHR_debug).
 
 #include <string>
 #include <vector>
 
 namespace weft::render {
 
-/// Hears the current context as long as it lives; it must not live longer than the context.
+/// Collects the debug messages of the current context. The context must outlive this object.
 class Complaints {
   public:
-    /// Hears nothing where the driver lacks the extension. Precondition: the context is current, and its
+    /// Collects nothing where the driver lacks the extension. Precondition: the context is current, and its
     /// functions are loaded.
     Complaints();
     Complaints(const Complaints&) = delete;
     Complaints& operator=(const Complaints&) = delete;
 
-    /// Those since the last call, each once.
+    /// The messages since the last call, each once.
     [[nodiscard]] std::vector<std::string> take();
     void add(const std::string& message);
 

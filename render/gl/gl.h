@@ -39,7 +39,7 @@ class Handle {
 };
 
 /// Names that OpenGL makes and deletes in arrays. glad's functions are pointers that are filled at run time,
-/// so it is their addresses that are template arguments.
+/// so the template arguments are their addresses.
 template <auto* generate, auto* destroy>
 struct ArrayKind {
     static GLuint make() {
@@ -62,7 +62,7 @@ using Query = Handle<ArrayKind<&glGenQueries, &glDeleteQueries>>;
 using Framebuffer = Handle<ArrayKind<&glGenFramebuffers, &glDeleteFramebuffers>>;
 using Renderbuffer = Handle<ArrayKind<&glGenRenderbuffers, &glDeleteRenderbuffers>>;
 
-/// A linked vertex and fragment shader. use() comes before set().
+/// A linked vertex and fragment shader. Precondition of set(): the program is in use.
 class Program {
   public:
     Program() = default;
@@ -84,7 +84,7 @@ class Program {
     Handle<ProgramKind> program_;
 };
 
-/// Uploads once; the buffer's usage is a hint that it is drawn many times.
+/// Uploads `content` once, for many draws (GL_STATIC_DRAW).
 template <class T>
 [[nodiscard]] Buffer static_buffer(GLenum target, std::span<const T> content) {
     Buffer buffer = Buffer::make();

@@ -8,7 +8,7 @@ namespace {
 
 struct PixelStore {
     GLenum name;
-    GLint fresh;  // as in a new context
+    GLint fresh;  // value in a new context
 };
 constexpr std::array<PixelStore, 16> pixel_stores{{
     {GL_PACK_SWAP_BYTES, GL_FALSE},
@@ -29,8 +29,8 @@ constexpr std::array<PixelStore, 16> pixel_stores{{
     {GL_UNPACK_ALIGNMENT, 4},
 }};
 
-// All are off in a new context, but for dithering and multisampling. Blending is missing: it is saved of the
-// first colour buffer alone, as the colour mask is, since only that one is drawn to.
+// Capabilities that are off in a new context, except dithering and multisampling. Blending is missing: like
+// the colour mask, it is saved for the first colour buffer alone, since only that one is drawn to.
 constexpr std::array<GLenum, 28> capabilities = {
     GL_COLOR_LOGIC_OP,
     GL_CULL_FACE,
@@ -190,7 +190,7 @@ SavedRaster::SavedRaster()
     glPolygonOffset(0, 0);
     glLineWidth(1);
     glHint(GL_FRAGMENT_SHADER_DERIVATIVE_HINT, GL_DONT_CARE);
-    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);  // where interpolation starts from, and how it is rounded
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);  // affects how interpolation is rounded
 }
 
 SavedRaster::~SavedRaster() {
@@ -206,7 +206,7 @@ SavedRaster::~SavedRaster() {
     glClearDepth(clear_depth_);
     glCullFace(code(cull_face_));
     glFrontFace(code(front_face_));
-    glPolygonMode(GL_FRONT_AND_BACK, code(polygon_mode_[0]));  // core OpenGL has one for both
+    glPolygonMode(GL_FRONT_AND_BACK, code(polygon_mode_[0]));  // core OpenGL has one mode for both sides
     glPolygonOffset(offset_factor_, offset_units_);
     glLineWidth(line_width_);
     glHint(GL_FRAGMENT_SHADER_DERIVATIVE_HINT, code(derivative_hint_));

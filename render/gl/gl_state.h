@@ -1,6 +1,6 @@
 #pragma once
-// The host's OpenGL state. Each of these saves a part of it, sets that part to OpenGL's defaults, and puts it
-// back as it ends: nothing that a host has set changes a picture, and no picture changes what a host has set.
+// The host's OpenGL state. Each constructor saves a part of it and sets that part to OpenGL's defaults; the
+// destructor restores it. So the host's state changes no picture, and no picture changes it.
 
 #include <glad/gl.h>
 
@@ -8,7 +8,7 @@
 
 namespace weft::render {
 
-/// Framebuffers and the viewport. They are saved only, since whoever draws sets them.
+/// Framebuffers and the viewport. They are saved but not reset, since every draw sets them.
 class SavedTarget {
   public:
     SavedTarget();
@@ -21,8 +21,8 @@ class SavedTarget {
     std::array<GLint, 4> viewport_{};
 };
 
-/// What making, filling and reading objects depends on: how pixels lie in memory, and which objects are
-/// bound. Programs, vertex arrays and the active texture unit are kept bound as they are.
+/// State that creating, filling and reading objects depends on: the layout of pixels in memory, and bound
+/// objects. Only the layout and the pixel buffers are reset; the other bindings are saved alone.
 class SavedBindings {
   public:
     SavedBindings();
@@ -52,7 +52,7 @@ class SavedUnits {
     GLint64 block_start_ = 0, block_size_ = 0;
 };
 
-/// How primitives become pixels: rasterization, tests of fragments, masks and blending.
+/// Rasterisation, tests of fragments, masks and blending.
 class SavedRaster {
   public:
     SavedRaster();
@@ -72,7 +72,7 @@ class SavedRaster {
     GLfloat line_width_ = 1, offset_factor_ = 0, offset_units_ = 0;
 };
 
-/// All that drawing a picture depends on, but for its target.
+/// All state that drawing a picture depends on, except its target.
 struct SavedDrawing {
     SavedBindings bindings;
     SavedUnits units;

@@ -21,7 +21,7 @@ struct Platform {
     EGLDisplay display;
 };
 
-/// `list` holds names separated by blanks, or is null.
+/// Whether `list`, names separated by blanks or null, holds `name`.
 bool has_extension(const char* list, std::string_view name) {
     std::istringstream words(list != nullptr ? list : "");
     return std::find(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>(), name) !=
@@ -33,7 +33,7 @@ Pointer extension_function(const char* name) {
     return reinterpret_cast<Pointer>(eglGetProcAddress(name));
 }
 
-/// One display for each graphics card that EGL knows of.
+/// Appends one display for each graphics card that EGL lists.
 void append_cards(std::vector<Platform>& platforms) {
     const auto query = extension_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     const auto describe = extension_function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
@@ -49,8 +49,8 @@ void append_cards(std::vector<Platform>& platforms) {
     }
 }
 
-/// In order of preference. Cards come first, since Mesa's surfaceless platform draws on the processor where
-/// the card's driver is not Mesa's.
+/// EGL's platforms in order of preference. Cards come first, since Mesa's surfaceless platform draws on the
+/// processor where the card's driver is not Mesa's.
 std::vector<Platform> platforms() {
     std::vector<Platform> found;
     const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);

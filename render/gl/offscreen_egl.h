@@ -5,10 +5,10 @@
 
 namespace weft::render {
 
-/// A current OpenGL 3.3 core context without surface; not current and destroyed with this object.
+/// A current OpenGL 3.3 core context without a surface; the destructor releases and destroys it.
 class OffscreenEgl {
   public:
-    /// `checked`: one that the driver looks after, where it can. Error: what each EGL platform answered.
+    /// `checked`: a debug context, where EGL can make one (1.5). Error: what each EGL platform answered.
     [[nodiscard]] static Result<OffscreenEgl> create(bool checked);
     OffscreenEgl(OffscreenEgl&& other) noexcept;
     OffscreenEgl& operator=(OffscreenEgl&& other) noexcept;

@@ -20,9 +20,9 @@ struct FrameUniforms {
     Vec4 sun_direction;      ///< towards the sun, unit length
     Vec4 sun_extent;         ///< side of the sun's map [m], its depth [m], one texel [m]
     Vec4 sky_extent;         ///< the same of the map seen from above
-    Vec4 ground;             ///< a point of it, and how far from there it fades [m]
+    Vec4 ground;             ///< a point of the ground, and the distance over which it fades [m]
     Vec4 arrow;              ///< foot x and z, vector x and z [m]
-    Vec4 quality;            ///< taps that find blockers, of the sun's edge, of the sky; 1: threads are drawn
+    Vec4 quality;            ///< samples: blockers, sun's edge, sky; w 1: threads are drawn
 };
 constexpr GLuint frame_binding = 0;
 

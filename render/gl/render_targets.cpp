@@ -42,7 +42,7 @@ void bind_texture(int texture_unit, const Texture& texture) {
 
 }  // namespace
 
-// Outside a map nothing casts a shadow.
+// Depth of a map's border: outside a map nothing casts a shadow.
 constexpr std::array far_away = {1.0f, 1.0f, 1.0f, 1.0f};
 
 DepthMap::DepthMap(int texels) : compare_(Sampler::make()) {

@@ -6,12 +6,12 @@
 
 namespace weft::render {
 
-/// Depth seen from a light; read both compared (for filtered shadows) and plain (for the distance of what
-/// casts them).
+/// A depth map seen from a light, sampled with comparison (for filtered shadows) and without (for the
+/// distance of blockers).
 class DepthMap {
   public:
     explicit DepthMap(int texels);
-    void resize(int texels);  ///< keeps what it has where the size is the same
+    void resize(int texels);  ///< keeps the content if the size is the same
 
     void begin() const;  ///< binds, sets the viewport and clears
     void bind(int plain_unit) const;
@@ -25,21 +25,21 @@ class DepthMap {
     Sampler compare_;
 };
 
-/// The picture in display-linear light, half floats, so that averages of its samples, or of its pixels where
-/// it is shown larger, are of light and not of codes.
+/// The picture in linear display light, as half floats. Averages of samples, and of pixels where the picture
+/// is enlarged, are therefore averages of light and not of sRGB codes.
 class ScenePicture {
   public:
-    /// Keeps what it has where the size is the same.
+    /// Keeps the content if the size is the same.
     void resize(int width, int height, int samples);
     void begin() const;  ///< binds, sets the viewport and clears the depth
-    /// Averages the samples into a texture, and binds that to a texture unit; `smooth` where it is shown in
-    /// another size.
+    /// Averages the samples into a texture and binds it to a texture unit. `smooth`: linear filtering, for a
+    /// picture that is shown in another size.
     void resolve(int texture_unit, bool smooth) const;
 
   private:
     int width_ = 0, height_ = 0, samples_ = 0;
     Renderbuffer color_, depth_;
-    Framebuffer drawn_;  // of several samples; one alone is drawn where it is resolved
+    Framebuffer drawn_;  // multisampled; a single sample is drawn into resolved_
     Texture resolved_color_;
     Framebuffer resolved_;
 };

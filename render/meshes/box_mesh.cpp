@@ -9,11 +9,11 @@ namespace {
 constexpr GLsizei vertex_count = 36;
 
 struct BoxVertex {
-    Vec4 normal;  // w: 2, what solid.vert knows a box by
+    Vec4 normal;  // w: 2 marks a box for solid.vert
     Vec4 corner;
 };
 
-/// Two triangles to a face, seen from outside against the clock.
+/// Two triangles per face, counter-clockwise seen from outside.
 std::vector<BoxVertex> box_vertices() {
     std::vector<BoxVertex> vertices;
     for (int face = 0; face < 6; ++face) {

@@ -10,7 +10,7 @@ namespace weft::render {
 class BoxMesh {
   public:
     BoxMesh();
-    /// With a program made of solid.vert in use.
+    /// Precondition: a program made of solid.vert is in use.
     void draw(const Program& program, const DrawnBox& box) const;
 
   private:

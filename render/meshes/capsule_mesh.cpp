@@ -19,7 +19,7 @@ std::vector<Vec4> capsule_vertices() {
     std::vector<Vec4> vertices;
     for (std::uint32_t ring = 0; ring < 2 * rings_per_end; ++ring) {
         const bool second = ring >= rings_per_end;
-        const auto step = static_cast<float>(second ? ring - 1 : ring);  // the equator comes twice
+        const auto step = static_cast<float>(second ? ring - 1 : ring);  // each end has its own equator ring
         const float latitude = std::numbers::pi_v<float> * (step / (2.0f * (rings_per_end - 1)) - 0.5f);
         for (std::uint32_t sector = 0; sector <= sectors; ++sector) {
             const float longitude = 2.0f * std::numbers::pi_v<float> * static_cast<float>(sector) / sectors;

@@ -12,7 +12,7 @@ namespace weft::render {
 class CapsuleMesh {
   public:
     CapsuleMesh();
-    /// With a program made of solid.vert in use.
+    /// Precondition: a program made of solid.vert is in use.
     void draw(const Program& program, const DrawnTaperedCapsule& capsule) const;
 
   private:

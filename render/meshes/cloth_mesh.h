@@ -8,8 +8,8 @@
 namespace weft::render {
 
 /// A per-particle buffer that shaders read by particle index: particle i is texel (i mod width, i div width).
-/// Textures two-dimensional, since a buffer texture need not hold more than 65 536 elements, while 1024 x
-/// 1024 texels are within what OpenGL 3.3 guarantees.
+/// The texture is two-dimensional, since a buffer texture need not hold more than 65 536 elements, while 1024
+/// x 1024 texels are within what OpenGL 3.3 guarantees.
 class ParticleTexture {
   public:
     static constexpr GLsizei width = 1024;
@@ -28,10 +28,10 @@ class ClothMesh {
     explicit ClothMesh(const ClothSurface& surface);
 
     void stream(const ClothFrame& frame);
-    /// With a program made of cloth.vert in use.
+    /// Precondition: a program made of cloth.vert is in use.
     void draw(const Program& program, float alpha) const;
 
-    [[nodiscard]] const Box& bounds() const noexcept { return bounds_; }  ///< of both position buffers
+    [[nodiscard]] const Box& bounds() const noexcept { return bounds_; }  ///< box round both position buffers
 
     FabricLook look;
 

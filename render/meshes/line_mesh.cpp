@@ -32,7 +32,7 @@ void LineMesh::draw(std::span<const DrawnLine> lines) {
     if (all == solid) return;
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);  // what is seen through hides nothing
+    glDepthMask(GL_FALSE);  // transparent lines hide nothing
     glDrawArrays(GL_LINES, solid, all - solid);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

@@ -1,5 +1,5 @@
 #pragma once
-// Lines that are other ones in each picture.
+// Lines that change with every picture.
 
 #include <span>
 
@@ -11,7 +11,7 @@ namespace weft::render {
 class LineMesh {
   public:
     LineMesh();
-    /// With the program made of lines.vert in use. Leaves blending off.
+    /// Precondition: the program made of lines.vert is in use. Leaves blending off.
     void draw(std::span<const DrawnLine> lines);
 
   private:

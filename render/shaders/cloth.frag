@@ -1,4 +1,4 @@
-// Thin woven cloth: two sides, soft terminator, light fibre edge, and the sun shining through.
+// Shades thin woven cloth: two sides, soft terminator, light rim of fibres, transmitted sunlight.
 in vec3 point;
 in vec3 normal;
 in vec2 texcoord;
@@ -10,7 +10,7 @@ uniform float roughness, sheen, translucency;
 uniform float threads_per_metre, stripe_width, shine, shine_width;
 uniform int textured, threads;
 
-// Along u and v on the surface, the longer one of length 1, without stored tangents (Mikkelsen 2010).
+// Surface vectors along u and v, the longer one of length 1, without stored tangents (Mikkelsen 2010).
 struct Axes {
     vec3 u, v;
 };
@@ -38,8 +38,8 @@ vec3 striped(vec3 base) {
     return mix(base, stripe, mix(cover, 0.5, smoothstep(0.25, 0.5, edge)));
 }
 
-// Light that fibres standing out of the surface catch at grazing angles (Estevez and Kulla 2017; visibility
-// after Neubelt and Pettineo 2013).
+// Sheen: light of protruding fibres at grazing angles (Estevez and Kulla 2017; visibility after Neubelt and Pettineo
+// 2013).
 float fibre_edge(vec3 n, vec3 to_eye, vec3 to_light) {
     vec3 half_way = normalize(to_eye + to_light);
     float sine = sqrt(max(1.0 - dot(n, half_way) * dot(n, half_way), 0.0));
@@ -73,7 +73,7 @@ void main() {
     albedo = mix(albedo, shown.rgb, shown.a);
     through = mix(through, shown.rgb, shown.a);
 
-    // Where the sun grazes the cloth its own triangles would shade it in stairs.
+    // Shadows fade at grazing sun, where the cloth's own triangles would cast stairs.
     float grazed = smoothstep(0.02, 0.25, abs(dot(smooth_normal, to_sun)));
     float sun_seen = mix(1.0, sun_visibility(point, smooth_normal), grazed);
     float sky_seen = sky_visibility(point);

@@ -1,11 +1,11 @@
-// Display light to sRGB codes, with a vignette and half a code of noise against bands in the sky.
+// Converts display light to sRGB codes, with a vignette and half a code of noise against bands in the sky.
 in vec2 screen;
 out vec4 pixel;
 
 uniform sampler2D picture;
 uniform vec2 size;  // of the window [pixels]
 
-// By roots, which take a fraction of a power's time, and are off by less than half a code.
+// The sRGB curve by roots, which take a fraction of a power's time and err by less than half a code.
 vec3 srgb(vec3 light) {
     vec3 second = sqrt(light), fourth = sqrt(second), eighth = sqrt(fourth);
     vec3 curve = 0.662002687 * second + 0.684122060 * fourth - 0.323583601 * eighth - 0.0225411470 * light;

@@ -1,4 +1,4 @@
-// What all programs of one picture share; FrameUniforms in programs.h is the same, byte for byte.
+// Uniforms that all programs of one picture share, in the layout of FrameUniforms in programs.h.
 layout(std140) uniform Frame {
     mat4 clip_from_world;
     mat4 world_from_clip;

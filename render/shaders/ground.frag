@@ -5,8 +5,7 @@ out vec4 color;
 const vec3 floor_color = vec3(0.47, 0.465, 0.455);
 const vec3 arrow_color = vec3(0.02, 0.26, 0.50);
 
-// Share of a pixel that lines of `width` [m], one each metre, cover; the width never falls below a pixel, its
-// strength does instead.
+// Share of a pixel that lines of `width` [m], one each metre, cover. A narrower line is drawn a pixel wide and fainter.
 float grid_lines(vec2 p, float width) {
     vec2 pixel = fwidth(p);
     vec2 drawn = max(vec2(width), pixel);

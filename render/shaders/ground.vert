@@ -1,4 +1,4 @@
-// Two triangles, far larger than what is seen before the ground fades into the horizon.
+// Two triangles, far larger than the visible ground before it fades into the horizon.
 out vec3 point;
 
 void main() {

@@ -1,4 +1,4 @@
-// How much of the sun and of the sky a point sees.
+// Visibility of the sun and of the sky from a point; ambient light and highlights.
 uniform sampler2DShadow sun_compare;
 uniform sampler2D sun_depth;
 uniform sampler2D sky_depth;
@@ -16,9 +16,9 @@ vec2 pixel_direction() {
 const mat2 golden_turn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 float tap_radius(int i, float count) { return sqrt((float(i) + 0.5) / count); }
 
-const float nothing = 0.99999;  // depth where a map saw nothing, while the ground may lie deeper than the map
+const float nothing = 0.99999;  // greater depths are empty texels; the ground may lie deeper than the map
 
-// Whether p lies in the map, or so near it that taps do.
+// Whether p lies in the map or within `reach` of it.
 bool near_map(vec2 p, float reach) { return all(greaterThan(p, vec2(-reach))) && all(lessThan(p, vec2(1.0 + reach))); }
 
 // Average over the 2 x 2 pixels that are shaded together, whose angles differ: four times as many taps at no cost.
@@ -28,12 +28,12 @@ float quad_average(float value) {
     return value - dFdy(value) * odd.y;
 }
 
-// How far a pixel reaches over the surface [m]. One at a triangle's edge may have its middle beside it by half of that,
-// and below the cloth that goes on there.
+// Size of a pixel on the surface [m], at most 0.05. The centre of a pixel at a triangle's edge may lie outside the
+// triangle by half of that, and below the adjoining cloth.
 float pixel_size(vec3 point) { return min(max(length(dFdx(point)), length(dFdy(point))), 0.05); }
 
-// How the sun's depth changes along the surface, per unit of the map: taps aside follow the surface, which therefore
-// does not shadow itself (Isidoro 2006). Bounded, since a surface along the light has no such slope.
+// Slope of the sun's depth along the surface, per unit of the map. Taps aside follow this plane, so that the surface
+// does not shadow itself (Isidoro 2006). The slope is bounded: it is infinite on a surface along the light.
 vec2 surface_slope(vec3 normal) {
     vec3 scale = vec3(frame.sun_extent.x, frame.sun_extent.x, frame.sun_extent.y);
     vec3 n = mat3(frame.sun_from_world) * normal * scale * scale;
@@ -42,11 +42,11 @@ vec2 surface_slope(vec3 normal) {
     return slope * min(1.0, steepest / max(length(slope), 1e-6));
 }
 
-// Soft shadow whose edge widens with the distance of what casts it (Fernando 2005). `normal` may face away from the
-// sun: either side of a thin cloth is lifted towards the sun, so that a sheet never shadows itself.
+// Soft shadow whose edge widens with the distance of the blocker (Fernando 2005). `normal` may face away from the sun:
+// either side of a thin cloth is lifted towards the sun, so that a sheet never shadows itself.
 float sun_visibility(vec3 point, vec3 normal) {
-    const float sun_size = 0.09;  // a far softer sun than the real one: width of the edge per distance
-    const float widest = 0.25;    // [m]: how far aside what casts the shadow is looked for
+    const float sun_size = 0.09;  // edge's width per distance of the blocker: a far softer sun than the real one
+    const float widest = 0.25;    // [m]: radius of the search for blockers
     float texel = frame.sun_extent.z;
     float facing = dot(normal, frame.sun_direction.xyz);
     float pixel = pixel_size(point);
@@ -57,7 +57,7 @@ float sun_visibility(vec3 point, vec3 normal) {
     vec2 slope = surface_slope(normal);
     int count = near_map(p.xy, widest / frame.sun_extent.x) ? 1 : 0;  // a loop that ends at once is cheap where a branch is not
 
-    // What casts a shadow here lies no farther off than the map's near side.
+    // No blocker lies beyond the map's near side, which bounds the search.
     vec2 turned = pixel_direction();
     vec2 search = turned * min(p.z * frame.sun_extent.y * sun_size, widest) / frame.sun_extent.x;
     float gap = 0.0;
@@ -65,7 +65,7 @@ float sun_visibility(vec3 point, vec3 normal) {
     float searches = frame.quality.x, taps = frame.quality.y;
     for (int i = 0; i < int(searches) * count; ++i) {
         search = golden_turn * search;
-        // The first tap lies straight towards the sun, so that whatever is right before it is found, however small.
+        // The first tap lies straight towards the sun, so that a blocker there is found, however small.
         vec2 aside = search * sqrt(float(i) / searches);
         float depth = textureLod(sun_depth, p.xy + aside, 0.0).r;
         float before = p.z + dot(slope, aside) - bias - depth;
@@ -73,13 +73,13 @@ float sun_visibility(vec3 point, vec3 normal) {
         gap += blocked * before;
         found += blocked;
     }
-    // Of all four pixels: at the edge's fringe one of them alone may find the blocker, and would stand out.
-    // Where a driver takes differences once for all four, that is no average, and may be below zero.
+    // Average over four pixels: at the edge's fringe one pixel alone may find the blocker, and would stand out. With
+    // coarse derivatives, one for all four, the result is no average and may be negative.
     float found_by_four = quad_average(found);
     float blocker_distance = frame.sun_extent.y * max(quad_average(gap), 0.0) / max(found_by_four, 0.25);
     bool lit = count == 0 || (searches > 0.0 && max(found, found_by_four) <= 0.0);
 
-    // Where light grazes the cloth its triangles show in the edge, unless the edge is as wide as they are.
+    // Least width of the edge. At grazing light triangles show in an edge that is narrower than they are.
     float least = (3.0 + 9.0 * (1.0 - abs(facing))) * texel;
     float width = max(blocker_distance * sun_size, least);
     vec2 offset = turned * width / frame.sun_extent.x;
@@ -91,11 +91,11 @@ float sun_visibility(vec3 point, vec3 normal) {
         seen += textureLod(sun_compare, vec3(p.xy + aside, reference), 0.0);
     }
     seen = lit ? 1.0 : seen / taps;
-    // An edge narrower than some pixels would have the stairs of those that are averaged.
+    // Edges narrower than some pixels are not averaged: the 2 x 2 blocks would show as stairs.
     return mix(seen, quad_average(seen), smoothstep(1.5, 6.0, width / max(pixel, 1e-6)));
 }
 
-// Part of the sky not hidden by what lies above within reach: contact shadows and the darkness inside of folds.
+// Share of the sky that no surface above hides, within `reach`: contact shadows and the darkness inside of folds.
 float sky_visibility(vec3 point) {
     float taps = frame.quality.z;
     const float reach = 0.30;  // [m]
@@ -115,12 +115,12 @@ float sky_visibility(vec3 point) {
     return quad_average(1.0 - 0.85 * hidden / max(taps, 1.0));
 }
 
-// Light from the sky, and from the ground that it falls on, on a surface that faces `normal`.
+// Ambient light of the sky and the ground on a surface that faces `normal`.
 vec3 ambient_light(vec3 normal, float sky_seen) {
     return mix(ground_light * (0.4 + 0.6 * sky_seen), sky_light * sky_seen, 0.5 + 0.5 * normal.y);
 }
 
-// Microfacets (Walter 2007, Schlick 1994) with a fixed reflectance of 4 %.
+// Microfacet highlight (Walter 2007, Schlick 1994) with a fixed reflectance of 4 %.
 float specular(vec3 normal, vec3 to_eye, vec3 to_sun, float roughness) {
     vec3 half_way = normalize(to_eye + to_sun);
     float a = max(roughness, 0.08) * max(roughness, 0.08), a2 = a * a;

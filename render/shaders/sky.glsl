@@ -6,7 +6,7 @@ const vec3 ground_light = vec3(0.42, 0.37, 0.315);
 const vec3 horizon_color = vec3(1.00, 1.08, 1.13);
 const vec3 zenith_color = vec3(0.04, 0.24, 0.72);
 
-// About the sun: the sixth and the ninetieth power of the angle's cosine.
+// Glow about the sun: the sixth and the ninetieth power of the cosine of the angle to the sun.
 vec3 sun_glow(vec3 direction) {
     float first = max(dot(direction, frame.sun_direction.xyz), 0.0);
     float second = first * first, fourth = second * second, eighth = fourth * fourth;

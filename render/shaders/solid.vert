@@ -1,7 +1,7 @@
 // Bends the unit sphere of CapsuleMesh into the capsule from end_a to end_b, and the cube of BoxMesh into the
 // box about end_a.
-layout(location = 0) in vec4 unit;  // normal, of a capsule along the axis +Y; w: which end, 2 for a box
-layout(location = 1) in vec3 corner;  // of a box
+layout(location = 0) in vec4 unit;  // xyz: normal, of a capsule along +Y; w: its end (0 or 1), or 2 for a box
+layout(location = 1) in vec3 corner;  // corner of the box
 
 uniform mat4 clip;
 uniform vec3 end_a, end_b;
@@ -13,7 +13,7 @@ out vec3 normal;
 
 const float quarter = 1.5707963;
 
-/// Where the ends' balls touch the cone between them they are cut, not at their equators.
+/// Normal on a tapered capsule: its end spheres are cut where they touch the cone, not at their equators.
 vec3 on_tapered(vec3 n, float end, float tilt) {
     float cut = -asin(clamp(tilt, -1.0, 1.0)), latitude = asin(clamp(n.y, -1.0, 1.0));
     float bent = end < 0.5 ? mix(-quarter, cut, latitude / quarter + 1.0) : mix(cut, quarter, latitude / quarter);

@@ -1,4 +1,4 @@
-// Film's response, after Stephen Hill's fit of the ACES transforms: scene light in, display light in [0, 1] out.
+// Tone mapping by Stephen Hill's fit of the ACES transforms: scene light in, display light in [0, 1] out.
 vec3 tone(vec3 light) {
     const mat3 to_film = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566, 0.83777);
     const mat3 to_display =

@@ -1,15 +1,14 @@
-// How threads lie: along u (weft) and along v (warp).
+// Patterns of threads along u (weft) and along v (warp).
 struct Weave {
     vec2 slope;   // of the surface along u and v
-    float light;  // how much light reaches the thread's surface, about 1 on average
+    float light;  // share of light that reaches the thread's surface, about 1 on average
 };
 
 float hash(float n) { return fract(sin(n * 12.9898) * 43758.5453); }
 
 const int plain = 0, twill = 1, knit = 2;  // Threads of scene_renderer.h
 
-// Plain weave: over and under in turn; twill: over two, under two, a step aside in each row. `p` counts threads. What is
-// smaller than a pixel fades to the average.
+// Plain weave: over and under in turn; twill: over two, under two, a step aside in each row. `p` counts threads.
 Weave woven(vec2 p, int kind) {
     vec2 cell = floor(p);
     vec2 f = p - cell - 0.5;
@@ -36,6 +35,7 @@ Weave knitted(vec2 p) {
     return result;
 }
 
+// A pattern that is finer than a pixel fades to its average.
 Weave weave(vec2 p, int kind) {
     Weave result = kind == knit ? knitted(p) : woven(p, kind);
     vec2 pixel = fwidth(p);

@@ -1,5 +1,5 @@
 #pragma once
-// Where a light's depth map lies: the box, seen from the light, that holds everything that casts a shadow.
+// The frame of a light's depth map: the box, seen from the light, that holds everything that casts a shadow.
 
 #include <Eigen/Geometry>
 
@@ -15,8 +15,8 @@ struct LightFrame {
     float depth;  ///< from its near to its far plane [m]
 };
 
-/// Parallel light towards `direction` (unit, points at the light), over a map of `texels` on a side. The map
-/// moves by whole texels and grows by steps of a quarter, so that shadows do not crawl while cloth moves.
+/// Fits a map of `texels` on a side round the casters; `direction`: unit, towards the parallel light. The map
+/// moves by whole texels and grows by steps of a quarter, so that shadows do not crawl.
 [[nodiscard]] LightFrame fit_light(const Vector3& direction, const Box& casters, int texels);
 
 }  // namespace weft::render

@@ -30,7 +30,7 @@ Diagonals::Diagonals(std::span<const std::uint32_t> offsets, std::span<const std
 
 std::uint32_t Diagonals::entry_between(std::uint32_t first, std::uint32_t second) const noexcept {
     const auto at = std::ranges::find(differences, second - first);
-    // It is there, but perhaps in a file that was made to mislead.
+    // The difference is among them, except in a malicious file.
     return entry(first, std::min(static_cast<std::uint32_t>(at - differences.begin()), count - 1));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // A grid's graph by diagonals (Y. Saad, "Iterative methods for sparse linear systems", 2003, 3.4): the later
-// neighbours of all nodes are at the same few differences. What two neighbours share is kept once, at the
-// first of them.
+// neighbours of all nodes are at the same few differences. Values that two neighbours share are stored once,
+// at the first of them.
 
 #include <array>
 #include <cstddef>
@@ -16,9 +16,8 @@ struct Diagonals {
     static constexpr std::uint32_t most = 8;
 
     Diagonals() = default;
-    /// From compressed rows, as a Stencil. Empty where differences are many, or most nodes lack most of them,
-    /// or a large grid is so few rows that tiles of several of them (see GridWindows) are too few for
-    /// threads.
+    /// From compressed rows, like a Stencil. Empty if differences are many, if most nodes lack most of them,
+    /// or if a large grid has so few rows that it gives threads too few tiles (see GridWindows).
     Diagonals(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> neighbours);
 
     std::uint32_t nodes = 0;
@@ -29,11 +28,11 @@ struct Diagonals {
     [[nodiscard]] std::uint32_t groups() const noexcept {
         return (nodes + Stencil::lanes - 1) / Stencil::lanes;
     }
-    /// How far apart neighbours are at most, in whole groups.
+    /// The greatest difference between neighbours, rounded up to whole groups.
     [[nodiscard]] std::uint32_t reach() const noexcept {
         return empty() ? 0 : Stencil::whole_groups(differences[count - 1]);
     }
-    /// Of values stored group by group, and in it diagonal by diagonal, 16 lanes each.
+    /// Number of values, stored group by group and there diagonal by diagonal, 16 lanes each.
     [[nodiscard]] std::size_t entries() const noexcept {
         return std::size_t{groups()} * count * Stencil::lanes;
     }

@@ -1,4 +1,4 @@
-// A grid's window in use. Included as cloth/equation/sparse/stencil-inl.h.
+// Loops over a grid's rows with a window. Included as cloth/equation/sparse/stencil-inl.h.
 
 #if defined(WEFT_CLOTH_EQUATION_GRID_GRID_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_EQUATION_GRID_GRID_WINDOWS_INL_H
@@ -17,15 +17,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Rows of some vectors, turned into lanes: each is read when a loop comes within reach of it, and kept in a
-/// ring until the loop has passed it.
+/// A ring of rows of some vectors, turned into lanes. A row is read when the loop comes within reach of it,
+/// and kept until the loop has passed it.
 template <std::uint32_t vectors>
 class RowsAhead {
     static_assert(vectors <= GridWindows::vectors);
 
   public:
-    /// For a loop that begins at row `begin`. If it `goes_on`, the ring holds what the loop before left
-    /// there; else it begins a reach earlier, with its halo.
+    /// For a loop that begins at row `begin`. If it `goes_on`, the ring holds the rows that the loop before
+    /// left there; otherwise the loop begins a reach earlier, with its halo.
     HWY_INLINE RowsAhead(float* ring, const Diagonals& diagonals, std::uint32_t begin, bool goes_on)
         : to_read_(diagonals.reach() + GridWindows::early),
           size_(GridWindows::ring_ahead(diagonals.reach())),
@@ -37,7 +37,7 @@ class RowsAhead {
           next_(size_ + group_lanes) {}
 
     [[nodiscard]] HWY_INLINE std::uint32_t row() const { return row_; }
-    /// Where the ring ends.
+    /// End of the ring's memory.
     [[nodiscard]] HWY_INLINE float* behind() const { return ring_ + 3 * vectors * next_; }
 
     /// row(j) gives the vectors in the lanes from row j on.
@@ -52,7 +52,7 @@ class RowsAhead {
             }
         }
     }
-    /// The lanes that begin so many rows further on, at most a reach, and `one_more`.
+    /// The lanes that begin `rows` rows ahead, at most a reach, plus `one_more`.
     HWY_INLINE Lanes3 after(std::uint32_t rows, std::uint32_t vector, std::uint32_t one_more = 0) const {
         const Tag d;
         const float* x = ring_ + 3 * vector * next_ + place_after(rows) + one_more;
@@ -79,13 +79,13 @@ class RowsAhead {
 
     std::uint32_t to_read_, size_, all_, row_, end_, place_;
     float* ring_;
-    std::size_t next_;  // from value to value
+    std::size_t next_;  // stride from value to value
 };
 
 /// The floats that an earlier neighbour gave.
 struct Given {
     const float* values;
-    std::size_t next;  ///< from value to value
+    std::size_t next;  ///< stride from value to value
 
     HWY_INLINE Lanes operator[](std::uint32_t k) const { return hn::LoadU(Tag(), values + k * next); }
     HWY_INLINE Lanes3 xyz(std::uint32_t k) const { return {(*this)[k], (*this)[k + 1], (*this)[k + 2]}; }
@@ -111,7 +111,7 @@ class GridLoop {
             next_ += size + group_lanes;
             near_ += GridWindows::is_near(difference);
         }
-        if (first() == 0) std::fill(values, values + exchanged * next_, 0.0f);  // by rows that are not there
+        if (first() == 0) std::fill(values, values + exchanged * next_, 0.0f);  // from rows before the grid
     }
     GridLoop(const GridLoop&) = delete;
 
@@ -132,7 +132,7 @@ class GridLoop {
     /// before give(), which may overwrite the same places of the ring.
     template <class Take>
     HWY_INLINE void take_from_far(const Take& take) const {
-        // Peeled for each diagonal there may be, these loops took a tenth of a sweep's time.
+        // Unrolled for each diagonal there may be, these loops took a tenth of a sweep's time.
         WEFT_NOT_UNROLLED
         for (std::uint32_t d = near_; d < count_; ++d) take(d, given(d));
     }
@@ -158,7 +158,7 @@ class GridLoop {
     HWY_INLINE void go_on() { ahead_.go_on(); }
 
   private:
-    /// Keeps what is given along one diagonal.
+    /// Ring buffer of the values given along one diagonal.
     struct Ring {
         float* values;
         std::uint32_t difference, mask;
@@ -170,7 +170,7 @@ class GridLoop {
 
     std::uint32_t count_, near_ = 0;
     RowsAhead<vectors> ahead_;
-    std::size_t next_ = 0;  // from value to value of what is given
+    std::size_t next_ = 0;  // stride from value to value given
     std::array<Ring, Diagonals::most> rings_{};
 };
 

@@ -4,7 +4,7 @@ namespace weft {
 
 namespace {
 
-/// A halo is a reach: a quarter of the shortest tile at most.
+/// Rows of the shortest tile: its halo, one reach, is at most a quarter of it.
 std::uint32_t shortest_tile(std::uint32_t reach) {
     return std::max(4 * reach, block_size);
 }
@@ -24,7 +24,7 @@ std::uint32_t GridWindows::tiles(std::uint32_t rows, int width) const {
     const auto threads = static_cast<std::uint32_t>(width);
     const std::uint32_t wanted = threads == 1 ? 1 : 2 * threads;
     const std::uint32_t tiles = std::min({wanted, count(), block_count(rows)});
-    return tiles < threads ? tiles : tiles - tiles % threads;  // as much for each of them
+    return tiles < threads ? tiles : tiles - tiles % threads;  // as many for each thread
 }
 
 }  // namespace weft

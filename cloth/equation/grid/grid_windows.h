@@ -1,13 +1,13 @@
 #pragma once
-// What a loop over a grid's rows keeps of other rows: a window.
+// A window: the values of other rows that a loop over a grid's rows keeps.
 //
 // In memory a row is the four floats of one particle, and turning 16 rows into lanes takes shuffles. In a
 // grid the neighbours of 16 consecutive rows are again consecutive. So each row is turned once, when the loop
 // comes within reach of it, and kept in a ring buffer, x, y and z apart, until the loop has passed it.
 //
-// What two neighbours exchange is computed once, at the first of them, and kept in a ring buffer of their
-// diagonal until the loop comes to the second. A loop that begins inside the grid first computes what the
-// rows before its own give: these are its halo. So no result depends on how rows are cut into tiles.
+// Values that two neighbours exchange are computed once, at the first of them, and kept in a ring buffer of
+// their diagonal until the loop comes to the second. A loop that begins inside the grid first computes its
+// halo, the values that the rows before its own give. So no result depends on how rows are cut into tiles.
 
 #include <algorithm>
 #include <bit>
@@ -19,31 +19,31 @@
 
 namespace weft {
 
-/// One loop's, and how far it has come.
+/// The window of one loop, and how far the loop has come.
 struct GridWindow {
     static constexpr std::uint32_t nowhere = ~0u;
 
     float* values = nullptr;
-    std::uint32_t at = nowhere;  ///< the row at which the loop must go on, or it begins anew
+    std::uint32_t at = nowhere;  ///< the row at which the loop can continue; elsewhere it starts anew
 };
 
-/// The windows of loops over a grid, in scratch. Empty for what is no grid.
+/// The windows of loops over a grid, in scratch. Empty without a grid.
 class GridWindows {
   public:
-    static constexpr std::uint32_t vectors = 2;  ///< whose rows a loop reads ahead, at most
+    static constexpr std::uint32_t vectors = 2;  ///< most vectors whose rows a loop reads ahead
 
     GridWindows() = default;
-    /// `exchanged`: how many floats one neighbour gives the other, at most.
+    /// `exchanged`: the most floats that one neighbour gives the other.
     GridWindows(const Diagonals& diagonals, std::uint32_t exchanged);
     void lay_out(Scratch& scratch) { scratch.take(values_, floats()); }
     [[nodiscard]] std::size_t floats() const noexcept { return std::size_t{count_} * floats_; }
 
-    /// Rows are read by so much earlier than they are needed, since a load that overlaps a recent store has
-    /// to wait until the store has reached the cache.
+    /// Rows are read this many rows before their use: a load that overlaps a recent store waits until the
+    /// store has reached the cache.
     static constexpr std::uint32_t early = 2 * Stencil::lanes;
-    /// Whether what a group of 16 gives is taken within the same group and the next one.
+    /// Whether the values that a group of 16 gives are taken within that group and the next one.
     static constexpr bool is_near(std::uint32_t difference) { return difference < Stencil::lanes; }
-    /// How many rows fit the ring of rows read ahead, and the ring of a diagonal. The latter is a power of
+    /// Sizes of the ring of rows read ahead, and of the ring of a diagonal [rows]. The latter is a power of
     /// two, so that row i lies at place i & (size - 1). The first 16 rows of a ring are repeated behind its
     /// end, so that a load of 16 may begin at any place.
     static constexpr std::uint32_t ring_ahead(std::uint32_t reach) { return reach + early + Stencil::lanes; }
@@ -58,7 +58,7 @@ class GridWindows {
     }
     [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
 
-    /// Into how many tiles of whole blocks a loop is cut, each with a window. Precondition: not empty.
+    /// Number of tiles of whole blocks that a loop is cut into, each with a window. Precondition: not empty.
     [[nodiscard]] std::uint32_t tiles(std::uint32_t rows, int width) const;
 
   private:
@@ -77,8 +77,8 @@ void in_tiles(Parallel& parallel, std::uint32_t rows, GridWindows& windows, cons
     });
 }
 
-/// body(block, window) for the blocks of [0, rows); in a grid those of a tile one after the other, else
-/// window is null.
+/// body(block, window) for the blocks of [0, rows). In a grid the blocks of a tile come one after the other;
+/// without a grid, window is null.
 template <class Body>
 void blocks_in_tiles(Parallel& parallel, std::uint32_t rows, GridWindows& windows, const Body& body) {
     if (windows.empty()) {

@@ -14,13 +14,13 @@ struct Interpolation {
     static constexpr std::uint32_t width = 3;
 
     Interpolation() = default;
-    /// All weights 0.
+    /// Sets all weights to 0.
     Interpolation(std::uint32_t fine_count, std::uint32_t coarse_count);
 
     std::uint32_t fine = 0, coarse = 0;
-    SharedBuffer<std::uint32_t> nodes;  ///< [width * i + k], of whole groups of fine nodes
+    SharedBuffer<std::uint32_t> nodes;  ///< [width * i + k], for whole groups of fine nodes
     SharedBuffer<float> weights;
-    std::vector<std::uint32_t> kept;  ///< the fine node that each coarse one is, ascending
+    std::vector<std::uint32_t> kept;  ///< the fine node at each coarse node, ascending
 
     /// P^T by rows, ascending, for gathering.
     SharedBuffer<std::uint32_t> offsets, fine_nodes;

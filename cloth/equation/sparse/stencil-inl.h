@@ -1,4 +1,4 @@
-// Vec4 rows in registers, and those of a stencil's neighbours. Included as engine/simd/lanes-inl.h is.
+// Loads of Vec4 rows, a stencil's own and its neighbours'. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_CLOTH_EQUATION_SPARSE_STENCIL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_CLOTH_EQUATION_SPARSE_STENCIL_INL_H
@@ -15,7 +15,7 @@ namespace weft::HWY_NAMESPACE {
 
 static_assert(Stencil::lanes == group_lanes);
 
-/// The rows of the neighbours in one part of slot s, the part that begins at `lane`.
+/// The rows of the neighbours in the part of slot s that begins at `lane`.
 HWY_INLINE Lanes3 neighbour_rows(const Stencil& stencil, std::uint32_t s, std::uint32_t lane,
                                  const Vec4* rows) {
     const std::uint32_t first = stencil.runs[s];
@@ -29,9 +29,9 @@ struct RowsInMemory {
     const Vec4* rows;
 
     HWY_INLINE void come_to(std::uint32_t /*i*/) {}
-    /// Of the lanes from row i on.
+    /// The rows of the lanes from row i on.
     HWY_INLINE Lanes3 own(std::uint32_t i) const { return xyz(load_rows(rows + i)); }
-    /// Of a part of slot s, which begins at `lane`.
+    /// The rows of the neighbours in the part of slot s that begins at `lane`.
     HWY_INLINE Lanes3 neighbours(std::uint32_t s, std::uint32_t lane) const {
         return neighbour_rows(stencil, s, lane, rows);
     }

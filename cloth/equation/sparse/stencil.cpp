@@ -51,7 +51,7 @@ bool find_differences(const Rows& rows, std::uint32_t group, std::uint32_t most,
     return true;
 }
 
-/// Where a slot of this difference is read, if it may be: rows up to the end of the last group exist.
+/// The first row of a slot's run, or no_run if the run would leave the rows, which end with the last group.
 std::uint32_t run_at(std::int64_t difference, std::uint32_t group, std::uint32_t groups) {
     const std::int64_t first = std::int64_t{group} * Stencil::lanes + difference;
     const std::int64_t last = std::int64_t{groups - 1} * Stencil::lanes;

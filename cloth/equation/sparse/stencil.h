@@ -1,5 +1,5 @@
 #pragma once
-// Who is whose neighbour, laid out for vectors of any width: sliced ELLPACK (Monakov, Lokhmotov, Avetisyan
+// A graph of neighbours, laid out for vectors of any width: sliced ELLPACK (Monakov, Lokhmotov, Avetisyan
 // 2010).
 //
 // Nodes are taken in groups of 16 lanes. A group has as many slots as its best-connected node has neighbours;
@@ -7,8 +7,8 @@
 // slots that it does not need, where all coefficients must be 0. Lanes past the last node name that one.
 //
 // Where the nodes of a group differ from their neighbours by the same few numbers, as in a grid, each of
-// these differences has its slot. Kernels may then read a run of 16 consecutive rows, of which those of lanes
-// that do not need the slot come to nothing.
+// these differences has its slot. Kernels may then read a run of 16 consecutive rows; lanes that do not need
+// the slot multiply theirs by 0.
 
 #include <cstdint>
 #include <span>
@@ -23,7 +23,7 @@ struct Stencil {
     static_assert(block_size % lanes == 0, "a block is whole groups");
     static constexpr std::uint32_t no_run = ~0u;
 
-    /// n, rounded up.
+    /// n, rounded up to whole groups.
     static constexpr std::uint32_t whole_groups(std::uint32_t n) { return (n + lanes - 1) / lanes * lanes; }
 
     /// The order of a group's slots: by the differences between nodes and neighbours, if these are few; or
@@ -45,11 +45,11 @@ struct Stencil {
     [[nodiscard]] std::uint32_t slots() const noexcept {
         return group_slots.empty() ? 0 : group_slots[groups()];
     }
-    /// Which group a slot belongs to: found by bisection.
+    /// The group that a slot belongs to, by bisection.
     [[nodiscard]] std::uint32_t group_of(std::uint32_t slot) const noexcept;
-    /// Whose neighbour a slot has in a lane.
+    /// The node whose neighbour a slot holds in a lane.
     [[nodiscard]] std::uint32_t node_of(std::uint32_t slot, std::uint32_t lane) const noexcept;
-    /// visit(list) for each of its lists.
+    /// visit(list) for each of the stencil's lists.
     template <class Self, class Visit>
     static void for_each_list(Self& self, Visit& visit) {
         visit(self.group_slots);
@@ -57,9 +57,9 @@ struct Stencil {
         visit(self.runs);
         visit(self.entries);
     }
-    /// Whether lists that were read name only what there is, for so many nodes and half-edges.
+    /// Whether all indices in lists that were read are in range, for so many nodes and half-edges.
     [[nodiscard]] bool is_sound(std::uint32_t node_count, std::size_t half_edges) const;
-    /// Leaves the number of nodes alone.
+    /// Frees the lists; the number of nodes stays.
     void drop_lists() noexcept {
         group_slots = {};
         neighbours = {};

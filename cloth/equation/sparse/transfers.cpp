@@ -11,7 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-// Four sums side by side, else each term would wait for the one before it.
+// Four sums side by side, so that no term waits for the one before it.
 void restrict_rows(const Interpolation& p, const BlockRange& range, const Vec4* fine, Vec4* coarse) {
     const RowTag d;
     const std::uint32_t* const nodes = p.fine_nodes.data();
@@ -41,7 +41,7 @@ void prolong_rows(const Correction& correction, const BlockRange& range, Vec4* f
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(restrict_rows);

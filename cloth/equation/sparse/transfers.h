@@ -1,5 +1,5 @@
 #pragma once
-// Between a level and the next coarser one.
+// Restriction and prolongation between a level and the next coarser one.
 
 #include <span>
 

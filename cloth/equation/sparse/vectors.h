@@ -1,6 +1,6 @@
 #pragma once
-// Operations on whole vectors of one Vec4 a particle, in AlignedBuffers: what lies behind the last one is 0
-// and is worked on along with it.
+// Operations on whole vectors of one Vec4 a particle, in AlignedBuffers: the padding behind the last one is 0
+// and is processed along with it.
 
 #include <cmath>
 #include <functional>
@@ -55,7 +55,7 @@ inline double dot(Parallel& parallel, std::span<const Vec4> a, std::span<const V
                      [&](std::uint32_t i) -> FourRows { return load_four(&a[i]) * load_four(&b[i]); });
 }
 
-/// |D^-1 (b - W dv)| and the like are measured so.
+/// |v|, for residuals such as |D^-1 (b - W dv)|.
 inline double norm(Parallel& parallel, std::span<const Vec4> v, std::span<double> partials) {
     return std::sqrt(dot(parallel, v, v, partials));
 }
@@ -68,7 +68,7 @@ inline double distance(Parallel& parallel, std::span<const Vec4> a, std::span<co
     }));
 }
 
-/// out = row by row(i), which gives the four from i on.
+/// out[i .. i + 3] = rows(i) for every fourth i.
 template <class Rows>
 void fill_fours(Parallel& parallel, std::span<Vec4> out, const Rows& rows) {
     parallel.ranges(static_cast<std::uint32_t>(out.size()), [&](const BlockRange& range) {

@@ -1,5 +1,5 @@
 #pragma once
-// The name of a cloth in a World.
+// Identifies a cloth in a World.
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What goes on inside a World, as lines and words that a host draws with what it has.
+// Debug drawing: the inner state of a World as lines and text, which the host draws.
 
 #include <cstdint>
 
@@ -7,22 +7,22 @@
 
 namespace weft {
 
-/// What is drawn; several together by |.
+/// Parts to draw, combined by |.
 enum class DebugParts : std::uint32_t {
     none = 0,
     strain = 1u << 0,      ///< edges: grey at rest, red where they are 5 % longer, blue where 5 % shorter
-    velocities = 1u << 1,  ///< where particles would be a frame of 1/60 s later
-    pins = 1u << 2,        ///< and how far they are from their targets
-    contacts = 1u << 3,    ///< normals of World::contacts(), longer where more is pushed; needs its setting
-    colliders = 1u << 4,   ///< their surfaces
-    tangles = 1u << 5,     ///< particles of what is let apart, by contact
-    cloths = 1u << 6,      ///< boxes and words: green awake, blue asleep, grey switched off
-    normals = 1u << 7,     ///< of particles, half an edge long
-    /// Skins of leashes and backstops: from a particle's place there to it, green, red where its leash ends;
-    /// and where its backstop begins, violet.
+    velocities = 1u << 1,  ///< lines to where particles would be 1/60 s later
+    pins = 1u << 2,        ///< pins, with lines to their targets
+    contacts = 1u << 3,    ///< normals of World::contacts(), longer for larger impulses; needs its setting
+    colliders = 1u << 4,   ///< surfaces of colliders
+    tangles = 1u << 5,     ///< particles of crossed cloth that contact is separating
+    cloths = 1u << 6,      ///< bounding boxes and text: green awake, blue asleep, grey switched off
+    normals = 1u << 7,     ///< normals of particles, half an edge long
+    /// Leashes and backstops. A line from a particle's place on the skin to the particle turns from green to
+    /// red as the leash is used up. A violet cross marks where the backstop begins.
     leashes = 1u << 8,
     levels = 1u << 9,  ///< nodes of the multilevel method's coarse levels, larger and redder the coarser
-    costs = 1u << 10,  ///< words: what each cloth cost in the last step, with the whole step
+    costs = 1u << 10,  ///< text: each cloth's time in the last step, and the whole step's
     all = ~0u,
 };
 constexpr DebugParts operator|(DebugParts a, DebugParts b) {
@@ -32,10 +32,10 @@ constexpr bool has(DebugParts parts, DebugParts part) {
     return (static_cast<std::uint32_t>(parts) & static_cast<std::uint32_t>(part)) != 0;
 }
 
-/// The host's own drawing, called from World::debug_draw() and kept no longer. What is null is left out.
-/// Colours are red, green and blue, each from 0 to 1.
+/// Drawing callbacks of the host, called during World::debug_draw() only. Null ones are skipped. Colours are
+/// red, green and blue, each from 0 to 1.
 struct DebugCanvas {
-    void* user = nullptr;  ///< handed back
+    void* user = nullptr;  ///< passed to both
     void (*line)(void* user, const Vec3& from, const Vec3& to, const Vec3& colour) = nullptr;
     void (*text)(void* user, const Vec3& at, const char* words, const Vec3& colour) = nullptr;
 };

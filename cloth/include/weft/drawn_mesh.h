@@ -1,6 +1,6 @@
 #pragma once
-// A fine mesh that is drawn over a coarse one that is simulated: it follows the cloth with all its own
-// detail, and is rounded where the cloth's triangles are coarse.
+// A fine mesh that is drawn over a coarse simulated one. It follows the cloth with all its own detail, and is
+// rounded where the cloth's triangles are coarse.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,27 +15,25 @@
 
 namespace weft {
 
-/// What is drawn, in the renderer's own order: a vertex that has two normals or texture coordinates is there
-/// twice.
+/// The drawn mesh in the renderer's order: a vertex with two normals or texture coordinates is there twice.
 struct DrawnSurface {
-    std::span<const Vec3> vertices{};       ///< over the cloth as it is when they are bound [m]
+    std::span<const Vec3> vertices{};       ///< positions over the cloth at the time of binding [m]
     std::span<const Triangle> triangles{};  ///< counter-clockwise seen from the front
-    std::span<const Vec2> texcoords{};  ///< one a vertex, or none; tangents point where the first one grows
-    /// One a vertex, of any length, or none: then they are those of the triangles, by area, each vertex
-    /// apart.
+    std::span<const Vec2> texcoords{};      ///< one a vertex, or none; tangents point where u grows
+    /// One a vertex, of any length, or none: then area-weighted means of each vertex's triangles.
     std::span<const Vec3> normals{};
 };
 
 struct DrawnMeshSettings {
-    /// How far points are drawn from the flat triangle to the planes that its corners' normals span, 0 to 1
+    /// Fraction by which points move from the flat triangle to the tangent planes at its corners, 0 to 1
     /// (Boubekeur, Alexa, "Phong tessellation", 2008). 0: flat. 1/2 is exact where the cloth is bent like a
     /// parabola.
     float rounding = 0.5f;
-    /// How far from the cloth a vertex may be bound [m], above 0 to 10.
+    /// Greatest distance from the cloth at which a vertex is bound [m], above 0 to 10.
     float reach = 0.1f;
 };
 
-/// Where update() writes, in the layout in which buffers are uploaded: each one element a vertex, or none.
+/// Buffers that update() writes, laid out as they are uploaded: each one element a vertex, or none.
 struct DrawnVertices {
     std::span<Vec4> positions{};  ///< x y z [m], w 1
     std::span<Vec4> normals{};    ///< x y z, unit length, w 0
@@ -46,25 +44,25 @@ struct DrawnVertices {
 
 class WEFT_API DrawnMesh {
   public:
-    /// Binds each vertex to the nearest triangle of the cloth as it is now, of those that face as it does if
-    /// one is within reach: by barycentric coordinates, and an offset that turns with the triangle. It takes
-    /// 64 bytes a vertex, and time in proportion to (vertices + triangles) times the logarithm of triangles.
-    /// Errors, with the vertex or triangle: a position that is not finite, positions out of reach (their
-    /// number, and the first 16), an index out of range, other numbers of texture coordinates or normals than
-    /// of vertices; a setting out of range.
+    /// Binds each vertex to the nearest triangle of the cloth as it is now, preferring triangles within reach
+    /// that face as the vertex does. A bond is barycentric coordinates and an offset that turns with the
+    /// triangle. Binding takes 64 bytes a vertex, and time in proportion to (vertices + triangles) times the
+    /// logarithm of triangles. Errors, with the vertex or triangle: a position that is not finite, positions
+    /// out of reach (their number, and the first 16), an index out of range, other numbers of texture
+    /// coordinates or normals than of vertices; a setting out of range.
     [[nodiscard]] static Result<DrawnMesh> bind(const ClothView& cloth, const DrawnSurface& surface,
                                                 const DrawnMeshSettings& settings = {});
     DrawnMesh(DrawnMesh&&) noexcept;
     DrawnMesh& operator=(DrawnMesh&&) noexcept;
     ~DrawnMesh();
 
-    [[nodiscard]] std::size_t size() const noexcept;  ///< vertices
+    [[nodiscard]] std::size_t size() const noexcept;  ///< number of vertices
 
-    /// Writes vertices [first, first + count), those there are, as the cloth is in `cloth`. It allocates
-    /// nothing and changes nothing of this: threads may share the vertices. Spans that are too short are left
-    /// alone.
+    /// Writes vertices [first, first + count), as far as they exist, for the cloth's state in `cloth`. It
+    /// allocates nothing and does not change the DrawnMesh, so that threads may divide the vertices among
+    /// them. Spans that are too short are left alone.
     ///
-    /// Precondition: a view of the cloth that it was bound to.
+    /// Precondition: `cloth` is a view of the cloth that the mesh was bound to.
     void update(const ClothView& cloth, const DrawnVertices& to, std::size_t first = 0,
                 std::size_t count = SIZE_MAX) const noexcept;
 

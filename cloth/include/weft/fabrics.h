@@ -1,14 +1,14 @@
 #pragma once
-// Fabrics by name, each with where its figures come from.
+// Named fabrics, each with the source of its figures.
 //
-// Of the ten that Wang, O'Brien and Ramamoorthi measured ("Data-Driven Elastic Models for Cloth", SIGGRAPH
-// 2011) those named below are taken over so: warp, weft: means of their six samples of stretch, the stiffer
-// one called warp (denim with elastane in its weft says so). shear: the mean of those of their samples that
-// are positive; as a stiffness per angle, by which denim, 69 N/m, is near the 84 to 191 that a KES tester
-// finds. bending: a quarter of the mean over their three directions and five curvatures, since they fitted
-// the hinge of Bridson et al. 2003, whose energy for small angles, k l^2 theta^2 / (8 (A + A')), is a plate's
-// with B = k / 4; denim's 18 uN m are then within the tester's 14 to 22. None of the sources measured
-// damping: all have the default.
+// Wang, O'Brien and Ramamoorthi measured ten fabrics ("Data-Driven Elastic Models for Cloth", SIGGRAPH 2011);
+// those named below have these figures. warp, weft: means of their six samples of stretch, the stiffer one
+// called warp, as in denim with elastane in its weft. shear: the mean of those of their samples that are
+// positive, as a stiffness per angle: denim's 69 N/m is near the 84 to 191 of a KES tester. bending: a
+// quarter of the mean over their three directions and five curvatures. They fitted the hinge of Bridson et
+// al. 2003, whose energy for small angles, k l^2 theta^2 / (8 (A + A')), is a plate's with B = k / 4; denim's
+// 18 uN m are then within the tester's 14 to 22. None of the sources measured damping: all fabrics have the
+// default.
 
 #include <span>
 
@@ -20,11 +20,11 @@ namespace weft {
 struct NamedFabric {
     const char* name;
     Fabric fabric;
-    const char* source;  ///< of the figures, and which of them are none but guesses
+    const char* source;  ///< source of the figures, and which of them are guesses
 };
 
 // clang-format off
-/// All of them, the limpest first:
+/// All named fabrics, the least stiff in bending first:
 ///
 /// | name         | kg/m^2 | warp, weft N/m | shear N/m | bending uN m | figures from                   |
 /// |--------------|--------|----------------|-----------|--------------|--------------------------------|
@@ -39,8 +39,8 @@ struct NamedFabric {
 /// | leather      | .560   | 7000, 7000     | 2800 *    | 290 *        | no source: 0.7 mm of 10 MPa    |
 ///
 /// Figures marked * are guesses. Fabric::stiffening is 0. Where Wang et al. measured how stiffness grows with
-/// strain, it and the stiffness near rest that goes with it (fitted up to a strain of 1/6; greatest error
-/// over the tension there):
+/// strain, this table has the stiffening, and the stiffness near rest that belongs to it. The fit goes up to
+/// a strain of 1/6; the error is the greatest one over the tension there:
 ///
 /// | name         | stiffening | warp, weft N/m | error | constants' error |
 /// |--------------|------------|----------------|-------|------------------|

@@ -1,9 +1,9 @@
 #pragma once
-// How a cloth is stepped: one struct a method, each named after what its paper calls it. The README's table
-// and charts say what each costs and how wrong it is. ClothSettings::substeps = 2 with Multilevel{.passes =
-// 1} costs about 1.5 times as much as the default, for motion that is nearer to the truth by half. For less
-// than half of the default, only Jacobi with tethers is left, which makes stiff fabric on coarse meshes whip.
-// TimeScheme says when backward Euler is the better choice.
+// Methods by which a cloth is stepped: one struct each, named as in its paper. The README's table and charts
+// give the cost and error of each. ClothSettings::substeps = 2 with Multilevel{.passes = 1} costs about 1.5
+// times as much as the default, and halves the error of the motion. Below half the cost of the default, only
+// Jacobi with tethers is left, which makes stiff fabric on coarse meshes whip. TimeScheme says when backward
+// Euler is the better choice.
 
 #include <variant>
 
@@ -12,12 +12,12 @@ namespace weft {
 /// Kang's approximate implicit solver: Jacobi iterations on the linearised step. Few iterations leave the
 /// long waves unsolved: stiff cloth sags and lags.
 struct Jacobi {
-    /// >= 0. More carry forces further in a step. Take odd counts: they never over-correct, even ones do so
-    /// up to twofold on the shortest waves.
+    /// Number per step, >= 0. More transmit forces further in a step. Choose odd counts: even ones
+    /// over-correct the shortest waves up to twofold, odd ones never do.
     int iterations = 15;
-    /// Solves the mean motion of each component without pins exactly, so that it falls freely, and lands,
-    /// however few iterations run. False: the paper's iteration alone, whose first guess makes stiff cloth
-    /// hover.
+    /// Whether the mean motion of each component without pins is solved exactly: such a component falls
+    /// freely, and lands, however few iterations run. False: the paper's iteration alone; its first guess
+    /// makes stiff cloth hover.
     bool exact_mean_motion = true;
     friend bool operator==(const Jacobi&, const Jacobi&) = default;
 };
@@ -35,16 +35,16 @@ struct ConjugateGradient {
     friend bool operator==(const ConjugateGradient&, const ConjugateGradient&) = default;
 };
 
-/// Multigrid on any mesh, with exact Galerkin coarse operators; what it costs does not grow with stiffness.
-/// Each pass linearises the step and minimises it over three directions: the velocity, the last pass's change
-/// and a multigrid cycle's correction. What is left of the equation then does no work on the cloth, so that
-/// stiff cloth does not whip, however few passes there are.
+/// Multigrid on any mesh, with exact Galerkin coarse operators; its cost does not grow with stiffness. Each
+/// pass linearises the step and minimises it over three directions: the velocity, the last pass's change and
+/// a multigrid cycle's correction. The residual then does no work on the cloth, so that stiff cloth does not
+/// whip, however few passes there are.
 struct Multilevel {
-    /// Linearisations, 1 to 100000. Two more are taken where much is left, so that more passes matter for
-    /// cloth that swings; 3 bring a sheet of 65 x 65 to 18 mm from the truth after half a second, 1 to 22.
+    /// Linearisations, 1 to 100000. Where the residual is large two more are added, so that more matter for
+    /// cloth that swings. 3 bring a sheet of 65 x 65 to 18 mm from the reference after 0.5 s, 1 to 22 mm.
     int passes = 3;
-    /// Error that the last pass may leave, as the acceleration that would do the same work [m/s^2], rms over
-    /// the cloth's mass, 0 to 1e9: with more, StepFlags::unsolved is set. From a seventh of it on passes are
+    /// Residual that the last pass may leave, as the acceleration that would do the same work [m/s^2], rms
+    /// over the cloth's mass, 0 to 1e9. Above it StepFlags::unsolved is set; above a seventh of it passes are
     /// added. The default, four gravities, is what an impact leaves in its first step.
     float tolerance = 40.0f;
     friend bool operator==(const Multilevel&, const Multilevel&) = default;
@@ -83,15 +83,15 @@ enum class TimeScheme {
     /// bdf2 with Multilevel, backward_euler with the other implicit methods: one linearisation of BDF2 sets
     /// stiff cloth buzzing.
     of_method,
-    /// First order: a swing loses two thirds of its energy in 2 s at 60 steps a second, and is a fifth
-    /// slower there than at 240. For cloth that shall come to rest soon, and for steps of 1/15 s.
+    /// First order: a swing loses two thirds of its energy in 2 s at 60 steps a second, and is a fifth slower
+    /// there than at 240. Suits cloth that should come to rest soon, and steps of 1/15 s.
     backward_euler,
     /// Second order: a swing loses a bit more than a third, and moves alike at 60 and at 240 steps a second.
     /// First order where contacts or pins have just changed a particle's path.
     bdf2,
 };
 
-/// The one that a method is stepped by.
+/// The time scheme by which a method is stepped.
 [[nodiscard]] constexpr TimeScheme resolved(TimeScheme scheme, const Method& method) {
     if (scheme != TimeScheme::of_method) return scheme;
     return std::holds_alternative<Multilevel>(method) ? TimeScheme::bdf2 : TimeScheme::backward_euler;

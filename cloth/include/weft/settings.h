@@ -1,5 +1,5 @@
 #pragma once
-// What a host can set. Every field says its unit, its range and what it does; the defaults run.
+// Settings of cloths and Worlds. Every field says its unit, its range and its effect; the defaults work.
 
 #include <array>
 #include <cstdint>
@@ -15,11 +15,11 @@
 
 namespace weft {
 
-/// The material, by measures that do not depend on the mesh or its resolution. A cloth of springs has them
+/// The material, by parameters that do not depend on the mesh or its resolution. A cloth of springs has them
 /// within 3 %.
 ///
-/// Poisson's ratio is 0 on general meshes; on a sheet the springs make it about shear / warp. Along one axis
-/// a sheet's springs can be no softer than its diagonals leave room for: with cells of 1 : 2 and more, keep
+/// Poisson's ratio is 0 on general meshes; on a sheet the springs make it about shear / warp. A sheet's
+/// diagonal springs set a lower bound to the stiffness along its axes: with cells of 1 : 2 and more, keep
 /// shear below a fifth of warp and weft.
 struct Fabric {
     float areal_density = 0.2f;  ///< [kg/m^2], 1e-4 to 1e4
@@ -29,125 +29,124 @@ struct Fabric {
     float weft = 400.0f;   ///< along the pattern's second axis, a sheet's columns [N/m], 0 to 1e9
     float shear = 100.0f;  ///< in-plane shear stiffness [N/m], 0 to 1e9
     /// Flexural rigidity along the warp: moment per width over curvature [N m], 0 to 1e4. Springs rest flat,
-    /// whatever shape the cloth starts in; FiniteElements::dihedral rests in that shape. A step of dt takes
-    /// no more of it than floats hold beside the mass, some 1e7 areal_density cell^4 / dt^2: less than asked
-    /// for where cells are below 0.2 mm, or for boards.
+    /// whatever shape the cloth starts in; FiniteElements::dihedral rests in that shape. A step of dt limits
+    /// it to what floats resolve beside the mass, some 1e7 areal_density cell^4 / dt^2: less than set where
+    /// cells are below 0.2 mm, or for boards.
     float bending = 2e-5f;
     /// Flexural rigidity along the weft over that along the warp, 0.01 to 100. Twist has their geometric
     /// mean, so that cloth rolled up at 45 degrees to both has the square of the mean of their roots. A new
     /// value for a cloth in a World cooks its bending again: some microseconds a particle.
     float bending_ratio = 1;
     /// Stress from the rate of strain over that from strain [s], 0 to 100: the time in which stretch, shear
-    /// and bend creep back once a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The step
-    /// adds its own: of an oscillation at f, backward Euler at h has a loss factor of 2 pi f h, BDF2 of (2 pi
-    /// f h)^3 / 2. From about 0.1 s on, cloth takes more Multilevel::passes to hang right while it moves: six
-    /// at 1 s.
+    /// and bend creep back after a load is gone. Motion at f Hz has the loss factor 2 pi f damping. The time
+    /// step adds numerical damping: at f, backward Euler with steps of h has a loss factor of 2 pi f h, BDF2
+    /// of (2 pi f h)^3 / 2. From about 0.1 s on, cloth needs more Multilevel::passes to hang right while it
+    /// moves: six at 1 s.
     float damping = 2e-4f;
-    /// How cloth stiffens as it is stretched [1 per strain], 0 to 1000: along an axis of stiffness K the
-    /// tension per width is K e (1 + stiffening e) at strain e, so that warp and weft are those near rest.
-    /// Beyond a strain of 1/6, where the measurements of Wang et al. 2011 end, it goes on along its tangent.
+    /// Growth of stiffness with strain [1 per strain], 0 to 1000. Along an axis of stiffness K the tension
+    /// per width is K e (1 + stiffening e) at strain e, so that warp and weft are those near rest. Beyond a
+    /// strain of 1/6, where the measurements of Wang et al. 2011 end, the curve continues along its tangent.
     /// Compression and shear stay linear; damping follows the slope. Measured: wovens 2 to 4, knits 1.5 to
     /// 116 (fabrics.h). warp and weft times 1 + stiffening / 3 must not pass 1e9 N/m. 0: none, at no cost.
-    /// Of springs with implicit methods and SymplecticEuler: Xpbd, Fibres and FiniteElements refuse it.
+    /// Only springs with implicit methods and SymplecticEuler have it: Xpbd, Fibres and FiniteElements refuse
+    /// it.
     float stiffening = 0;
 
-    /// One of fabrics.h, such as "denim". Error: no fabric of that name, with the names there are.
+    /// Returns a fabric of fabrics.h, such as "denim". Error: no fabric of that name, with the names there
+    /// are.
     [[nodiscard]] WEFT_API static Result<Fabric> named(std::string_view name);
 
     friend bool operator==(const Fabric&, const Fabric&) = default;
 };
 
-/// Triangle finite elements in place of the springs, of the same fabric. Of the implicit methods and
-/// SymplecticEuler only: Xpbd and Fibres refuse them. Fabric::warp, weft and shear below 1e-4 N/m count as
-/// that.
+/// Triangle finite elements of the same fabric, in place of the springs. Implicit methods and SymplecticEuler
+/// support them; Xpbd and Fibres refuse them. Fabric::warp, weft and shear below 1e-4 N/m count as 1e-4.
 struct FiniteElements {
     bool enabled = false;
     float poisson = 0.0f;   ///< lateral contraction under stretch, in [0, 0.5)
-    bool dihedral = false;  ///< bending by angles, from those at rest; false: quadratic, which rests flat
-    /// False: lumped at the particles. SymplecticEuler has no other and refuses it.
+    bool dihedral = false;  ///< bending by angles from those at rest; false: quadratic, at rest flat
+    /// Whether mass is consistent; false: lumped at the particles. SymplecticEuler refuses consistent mass.
     bool consistent_mass = false;
 };
 
-/// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle goes further from the nearest pins than
-/// the way along the cloth, whatever the solver has left unsolved.
+/// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle is farther from the nearest pins than
+/// the path along the cloth is long, whatever the solver has left unsolved.
 struct Tethers {
     bool enabled = false;
-    float slack = 1.0f;  ///< times the length along the cloth, 1 to 1000
+    float slack = 1.0f;  ///< factor of the length along the cloth, 1 to 1000
 };
 
-/// How much of its frame's motion a cloth feels, see World::set_frame: each from 0, nothing, to 1, all. At 1
-/// each a frame has no effect, and takes no time.
+/// Fractions of its frame's inertial accelerations that a cloth has, see World::set_frame: each from 0, none,
+/// to 1, all. At 1 each a frame has no effect, and takes no time.
 struct FrameInertia {
-    float linear = 1;  ///< of the acceleration of the frame's origin
-    /// Of the acceleration of its turning (Euler's), and of what it does to what moves in it (Coriolis').
+    float linear = 1;  ///< fraction of the acceleration of the frame's origin
+    /// Fraction of Euler's and Coriolis' accelerations, which come from the frame's turning.
     float angular = 1;
-    float centrifugal = 1;  ///< of what turning drives outwards
+    float centrifugal = 1;  ///< fraction of the centrifugal acceleration
 };
 
-/// One cloth. All of it can be changed between steps.
+/// Settings of a cloth. All of them can be changed between steps.
 struct ClothSettings {
     Fabric fabric{};
     FiniteElements finite_elements{};
     Method method{};  ///< Multilevel unless another is set
     TimeScheme time_scheme = TimeScheme::of_method;
-    /// Steps of the method within each of WorldSettings::substeps, 1 to 1024. One is enough for the default;
-    /// methods that are not implicit meet colliders after their step, and want 4 and more where cloth lies
+    /// Steps of the method within each of WorldSettings::substeps, 1 to 1024. One is enough for the default.
+    /// Methods that are not implicit handle colliders after their step, and need 4 and more where cloth lies
     /// on them.
     int substeps = 1;
     Tethers tethers{};
     SelfCollision self_collision{};
-    float air_damping = 0.2f;  ///< rate at which any velocity decays, shape and all [1/s], 0 to 1e6
+    float air_damping = 0.2f;  ///< rate at which all velocities decay [1/s], 0 to 1e6
     float thickness = 0.005f;  ///< distance kept from colliders [m], 0 to 10
     float friction = 1.0f;     ///< multiplies the colliders' friction, 0 to 1000
-    /// Of the normal velocity with which a particle hits a collider, the part with which it leaves, 0 to 1;
-    /// the greater of this and the collider's own, see Collider::restitution.
+    /// Normal velocity of a particle after it hits a collider over that before, 0 to 1; the greater of this
+    /// and the collider's own counts, see Collider::restitution.
     float restitution = 0;
-    /// It meets colliders that have one of these bits in Collider::layers, whatever they are. 0: none, at no
-    /// cost.
+    /// The cloth meets colliders that have one of these bits in Collider::layers. 0: none, at no cost.
     std::uint32_t collider_mask = ~0u;
     ColliderResponse collider_response = ColliderResponse::contact;
-    /// False: no step moves it, nothing meets it, and it costs nothing; it stays where it is, and may be
-    /// pinned and set meanwhile. See World::set_enabled.
+    /// Whether the cloth is simulated. False: no step moves it, nothing meets it, and it costs nothing; it
+    /// may be pinned and set meanwhile. See World::set_enabled.
     bool enabled = true;
-    /// Cloth of which no particle has been faster for half a second [m/s], 0 to 1000, falls asleep: it stands
-    /// still and costs next to nothing, until a pin moves, a collider near it moves, leaves or changes, what
-    /// it lies on does, awake cloth comes near, the wind, gravity or its settings change, or World::wake.
-    /// Cloths that may touch sleep together. Gusts let none. A hundredth is little to see; 0: it never
-    /// sleeps.
+    /// Cloth falls asleep if no particle has been faster than this for half a second [m/s], 0 to 1000. It
+    /// stands still and costs next to nothing until a pin moves, a collider near it or under it moves, leaves
+    /// or changes, awake cloth comes near, the wind, gravity or its settings change, or World::wake. Cloths
+    /// that may touch sleep together. In gusts no cloth sleeps. 0.01 is hardly visible; 0: it never sleeps.
     float sleep_speed = 0;
     FrameInertia frame_inertia{};
-    /// What an error of its motion counts, 0 to 1e6, over view_distance, where WorldSettings::budget is not
-    /// enough for all. 0: nobody sees it, and it gets the least. See World::set_importance.
+    /// Weight of an error of its motion, 0 to 1e6, over view_distance, where WorldSettings::budget is not
+    /// enough for all. 0: out of sight; the cloth gets the least time. See World::set_importance.
     float priority = 1;
-    float view_distance = 1;  ///< from who looks [m], 0 to 1e6; below 0.1 it counts as that
+    float view_distance = 1;  ///< distance from the viewer [m], 0 to 1e6; below 0.1 it counts as 0.1
 };
 
-/// What sets air in motion at one place.
+/// Kinds of air sources.
 enum class AirSourceKind : std::uint32_t {
     none,  ///< nothing, whatever its other values are
-    /// A fan: a round free jet along `velocity`, which has half its speed at `radius` where it begins, widens
-    /// by a tenth of its way and keeps its momentum (Pope 2000, "Turbulent flows", 5.1). None behind the fan.
+    /// A fan: a round free jet along `velocity`. It has half its speed at `radius` where it begins, widens by
+    /// a tenth of its way and keeps its momentum (Pope 2000, "Turbulent flows", 5.1). Behind the fan there is
+    /// none.
     jet,
-    /// Air driven out of `position` on all sides: by |velocity| at `radius`, less by the square of the
-    /// distance beyond (a source of constant volume), and less towards the middle.
+    /// Air driven out of `position` on all sides, at |velocity| at `radius`. Beyond, it falls with the square
+    /// of the distance (a source of constant volume); within, it falls towards the middle.
     blast,
-    /// A ball that flies through the air: its speed within, the potential flow past it around (Lamb 1932,
-    /// section 96), and behind it a wake that follows it, widens by the root of the way and keeps its
-    /// momentum (Schlichting 1979, "Boundary-layer theory", IX).
+    /// A ball that flies through the air: its speed within, the potential flow around it (Lamb 1932, section
+    /// 96), and a wake behind it, which widens by the root of the way and keeps its momentum (Schlichting
+    /// 1979, "Boundary-layer theory", IX).
     wake,
 };
 
-/// Air in motion at one place, on top of the wind. It has no state of its own: a fan is set once, a ball that
-/// passes or a blast that fades before each step. Air of several adds up, and none gives way to cloth or
-/// colliders.
+/// Air in motion at one place, added to the wind. It has no state of its own: set a fan once, a passing ball
+/// or a fading blast before each step. Several add up; cloth and colliders do not deflect them.
 struct AirSource {
     AirSourceKind kind = AirSourceKind::none;
-    Vec3 position{};      ///< of a fan's hub, a blast's or a ball's middle [m], each component up to 1e5
+    Vec3 position{};      ///< a fan's hub, a blast's or a ball's middle [m], each component up to 1e5
     Vec3 velocity{};      ///< [m/s], each component up to 1000
     float radius = 0.3f;  ///< [m], 1e-3 to 1e5
 };
 
-/// Air that moves. Forces act on each triangle from the air's velocity relative to it.
+/// Moving air. Its force on each triangle follows from the air's velocity relative to it.
 struct Wind {
     Vec3 velocity{};  ///< mean velocity [m/s], each component up to 1000
     float gust = 0;   ///< strength of the gusts relative to the mean speed, 0 to 100; 0.3 is a gusty day
@@ -156,33 +155,34 @@ struct Wind {
     float drag = 1.0f;         ///< drag coefficient of a triangle facing the wind, 0 to 1000
     float lift = 0.4f;         ///< lift coefficient, 0 to 1000
     std::uint32_t seed = 1;    ///< another seed, other gusts
-    /// In any order and with gaps. The first that is not `none` gives each cloth 16 bytes a particle, which
-    /// gusts have already; each takes some 2 ns a particle and step. World::shift_origin moves them.
+    /// Local sources, in any order and with gaps. The first that is not `none` gives each cloth 16 bytes a
+    /// particle, unless gusts have done so; each takes some 2 ns a particle and step. World::shift_origin
+    /// moves them.
     std::array<AirSource, 8> sources{};
 };
 
 struct WorldSettings {
     Vec3 gravity{0, -9.81f, 0};  ///< [m/s^2], each component up to 1e4
     Wind wind{};
-    /// No particle is faster after any stage of a step [m/s], 1e-3 to 1e4: a pin or a collider that jumps
-    /// cannot shoot the cloth off.
+    /// Limit of particles' speeds after any stage of a step [m/s], 1e-3 to 1e4: a pin or a collider that
+    /// jumps cannot shoot the cloth off.
     float max_speed = 100.0f;
     int substeps = 1;  ///< steps of the solver per World::step, 1 to 256
-    /// Contacts that World::contacts() has room for, 0 to 2^20. 0: none are looked for, at no cost. Each
-    /// takes 164 bytes, and 80 more for every thread but the first; besides, each particle 32
-    /// (ClothInfo::bytes).
+    /// Number of contacts that World::contacts() has room for, 0 to 2^20. 0: contacts are not reported, at no
+    /// cost. Each takes 164 bytes, and 80 more for every thread but the first; besides, each particle takes
+    /// 32 (ClothInfo::bytes).
     int contact_reports = 0;
-    /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on it.
+    /// Threads of Weft's own arena, 1 to 256; 0: one per core. Results do not depend on their number.
     int threads = 0;
-    /// What a step may take [ms], 0 to 1000. Where it would take more, Weft steps cloths by less than they
-    /// are set to, least those that count most: Multilevel by one pass, and cloth that has no contact of
-    /// features, frame or skin in every second step, of twice the length, through which it moves evenly,
-    /// unless pins or colliders near it move (or the World has bodies). Contact is never dropped. What that
-    /// costs is measured, so that bytes depend on time: a recording holds what was chosen, and its replay
-    /// gives the same bytes. The least that all can be stepped by may take more than the budget. Each cloth
-    /// takes 16 bytes a particle more. 0: none, at no cost.
+    /// Time that a step may take [ms], 0 to 1000; 0: no limit, at no cost. If a step would take longer,
+    /// cloths are stepped at less detail than they are set to, the most important ones least so. Multilevel
+    /// takes one pass. Cloth without contact of features, frame or skin takes every second step, of twice the
+    /// length, through which it moves evenly, unless pins or colliders near it move or the World has bodies.
+    /// Contact is never dropped. Costs are measured, so that bytes depend on time: a recording holds the
+    /// choices, and its replay gives the same bytes. The least detail of all cloths may take longer than the
+    /// budget. Each cloth takes 16 bytes a particle more.
     float budget = 0;
-    Executor executor{};  ///< the host's own threads instead, where `run` is set
+    Executor executor{};  ///< the host's threads in place of Weft's, where `run` is set
 };
 
 }  // namespace weft

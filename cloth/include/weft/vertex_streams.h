@@ -1,26 +1,26 @@
 #pragma once
-// Where World::write_vertices() writes what a renderer needs.
+// Destinations of World::write_vertices(), for renderers.
 
 #include <cstddef>
 #include <span>
 
 namespace weft {
 
-/// One kind of value, an array of floats for each vertex: the first vertex's at `bytes.data()`, the next
-/// one's `stride` bytes on. Several streams may lie within each other, as one array of structs.
+/// One attribute, an array of floats for each vertex: the first vertex's at `bytes.data()`, the next one's
+/// `stride` bytes on. Streams may be interleaved, as one array of structs.
 struct VertexStream {
-    std::span<std::byte> bytes{};  ///< of any alignment; empty: this kind is not asked for
-    std::size_t stride = 0;        ///< [bytes]; 0: one value right behind the other
+    std::span<std::byte> bytes{};  ///< memory of any alignment; empty: the attribute is not written
+    std::size_t stride = 0;        ///< distance between vertices [bytes]; 0: values are contiguous
 };
 
-/// What is written of each vertex. What is left empty costs nothing.
+/// Attributes of a vertex. An empty stream costs nothing.
 struct VertexStreams {
     VertexStream positions{};           ///< x y z [m]
     VertexStream previous_positions{};  ///< x y z, at the start of the last step [m]
     VertexStream normals{};             ///< x y z, unit length
-    VertexStream previous_normals{};    ///< x y z, at the start of the last step: made of the positions then
-    /// x y z, unit length, across the normal, where the first texture coordinate grows; w is 1 or -1: the
-    /// other tangent is w times normal x tangent (as in glTF). At seams each vertex has that of its panel.
+    VertexStream previous_normals{};    ///< x y z, at the start of the last step: by the positions then
+    /// x y z, unit length, level with the surface, where u grows; w is 1 or -1: the other tangent is w times
+    /// normal x tangent (as in glTF). At seams each vertex has that of its panel.
     VertexStream tangents{};
     VertexStream texcoords{};  ///< u v
 };

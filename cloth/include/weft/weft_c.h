@@ -16,15 +16,15 @@
 // Each function and struct is the one of its name in the C++ headers, which say what it does, takes and
 // refuses: weft_world_add_cloth is World::add_cloth. Where they differ:
 //
-// - A call that can fail returns a WeftResult, 0 for success, and gives what it gives by its last pointer.
-//   Nothing throws. Settings and places that are null pointers are the defaults. Whatever else is null is an
-//   error; calls that return no WeftResult take null for an empty thing.
+// - A call that can fail returns a WeftResult, 0 for success, and writes its result through its last pointer.
+//   Nothing throws. Settings and places that are null pointers are the defaults. Any other null pointer is an
+//   error; calls that return no WeftResult take null for an empty object.
 // - A struct that begins with struct_size can grow at its end in later versions: the size says which version
-//   the host was compiled with. Those that have an _init function get it there, with all defaults; of the
-//   others set struct_size and leave the rest 0: `WeftHooks hooks = {.struct_size = sizeof hooks}`. What
-//   a host does not know yet stays as it was before that. All other structs stay as they are within one 0.x
-//   of the version.
-// - A pointer that a call gives belongs to Weft. It is valid as long as the C++ span or view is.
+//   the host was compiled with. Structs with an _init function get it there, with all defaults; for the
+//   others set struct_size and leave the rest 0: `WeftHooks hooks = {.struct_size = sizeof hooks}`. Fields
+//   that a host does not know keep their defaults. All other structs stay as they are within one 0.x of the
+//   version.
+// - A pointer that a call returns belongs to Weft. It is valid as long as the C++ span or view is.
 
 #include "weft/c/reports.h"
 #include "weft/c/settings.h"
@@ -34,11 +34,11 @@
 extern "C" {
 #endif
 
-// Why the last call on this thread that failed did so, "" before one has. It names the value and what would
+// Message of the last call on this thread that failed, "" before one has. It names the value and what would
 // be right.
 WEFT_API const char* weft_error_text(void);
 
-// All defaults. struct_size: sizeof of the struct, as the host has it.
+// Sets all defaults. struct_size: sizeof of the struct, as the host has it.
 WEFT_API void weft_world_settings_init(WeftWorldSettings* settings, size_t struct_size);
 WEFT_API void weft_cloth_settings_init(WeftClothSettings* settings, size_t struct_size);
 WEFT_API void weft_method_init(WeftMethod* method, int32_t kind);
@@ -49,16 +49,17 @@ WEFT_API void weft_body_state_init(WeftBodyState* state, size_t struct_size);
 WEFT_API void weft_sheet_settings_init(WeftSheetSettings* settings, size_t struct_size);
 WEFT_API void weft_drawn_mesh_settings_init(WeftDrawnMeshSettings* settings, size_t struct_size);
 WEFT_API void weft_fixed_step_settings_init(WeftFixedStepSettings* settings, size_t struct_size);
-// A transform that moves nothing.
+// Sets the identity, which moves nothing.
 WEFT_API void weft_transform_init(WeftTransform* transform);
 
 // Fabrics by name.
 WEFT_API const WeftNamedFabric* weft_fabrics(size_t* count);
 WEFT_API WeftResult weft_fabric_named(const char* name, WeftFabric* fabric);
-// The time scheme that settings come to: WEFT_TIME_BACKWARD_EULER or WEFT_TIME_BDF2.
+// Returns the time scheme that settings resolve to: WEFT_TIME_BACKWARD_EULER or WEFT_TIME_BDF2;
+// WEFT_TIME_OF_METHOD if the call fails.
 WEFT_API int32_t weft_resolved_time_scheme(const WeftClothSettings* settings);
 
-// Meshes, which take copies of what they are made of. File names are UTF-8.
+// Meshes, which copy the data that they are made of. File names are UTF-8.
 WEFT_API WeftResult weft_mesh_create(const WeftMeshView* of, WeftMesh** mesh);
 WEFT_API WeftResult weft_mesh_make_sheet(const WeftSheetSettings* settings, WeftMesh** mesh);
 // report may be null. texcoords_are_pattern: ObjOptions.
@@ -68,8 +69,7 @@ WEFT_API WeftResult weft_mesh_save_obj(const WeftMesh* mesh, const char* file);
 WEFT_API WeftResult weft_mesh_view(const WeftMesh* mesh, WeftMeshView* view);
 WEFT_API void weft_mesh_destroy(WeftMesh* mesh);
 
-// Cuts and tears. The mesh that a cut gives knows what it comes from (MeshCut), which weft_world_recut_cloth
-// takes.
+// Cuts and tears. A mesh that was cut holds MeshCut::from, which weft_world_recut_cloth uses.
 WEFT_API WeftResult weft_cut_mesh(const WeftMesh* mesh, const WeftMeshEdge* edges, size_t count,
                                   WeftMesh** cut);
 WEFT_API const uint32_t* weft_mesh_cut_from(const WeftMesh* cut, size_t* count);
@@ -79,12 +79,12 @@ WEFT_API void weft_cut_stroke_destroy(WeftCutStroke* stroke);
 // Positions are three floats each. The edges are valid until the next call with this stroke.
 WEFT_API WeftResult weft_edges_along(const WeftMesh* mesh, WeftInput positions, const WeftBlade* blade,
                                      WeftCutStroke* stroke, const WeftMeshEdge** edges, size_t* count);
-// As many edges as there is room for; found: how many there are.
+// Writes as many edges as there is room for; found: how many there are.
 WEFT_API WeftResult weft_edges_to_tear(const WeftMesh* mesh, WeftInput positions,
                                        const WeftStrainedEdge* strained, size_t count, WeftMeshEdge* to,
                                        size_t room, size_t* found);
 
-// Cloth made ready once.
+// Cloth that is cooked once.
 WEFT_API WeftResult weft_cooked_cloth_create(const WeftMesh* mesh, const WeftClothSettings* settings,
                                              const WeftCookProgress* progress, WeftCookedCloth** cooked);
 WEFT_API WeftResult weft_cooked_cloth_load(const void* saved, size_t bytes, const WeftClothSettings* settings,
@@ -176,11 +176,11 @@ WEFT_API WeftResult weft_world_detach(WeftWorld* world, WeftClothId cloth, const
                                       size_t count);
 WEFT_API const WeftBodyImpulse* weft_world_body_impulses(const WeftWorld* world, size_t* count);
 
-// Errors: dt out of range; a step is under way. What else went wrong the report's flags say.
+// Errors: dt out of range; a step is under way. All other problems are in the report's flags.
 WEFT_API WeftResult weft_world_step(WeftWorld* world, float dt);
 WEFT_API WeftResult weft_world_report(const WeftWorld* world, WeftStepReport* report);
 WEFT_API WeftResult weft_world_cloth_report(const WeftWorld* world, WeftClothId id, WeftClothReport* report);
-// The error text of work() is that of the thread that calls it.
+// The error text of weft_world_work is that of the thread that calls it.
 WEFT_API WeftResult weft_world_begin_step(WeftWorld* world, float dt);
 WEFT_API WeftResult weft_world_work(WeftWorld* world);
 WEFT_API WeftResult weft_world_end_step(WeftWorld* world);
@@ -208,12 +208,12 @@ WEFT_API WeftResult weft_replay_file(const char* file, int32_t threads, WeftRepl
 WEFT_API WeftResult weft_replay_bytes(const void* recording, size_t bytes, int32_t threads,
                                       WeftReplay* replay);
 
-// A fine mesh that is drawn over a cloth. Bound to a cloth of a World, and updated by the same one.
+// A fine mesh that is drawn over a cloth. It is bound to a cloth of a World, and updated by the same one.
 WEFT_API WeftResult weft_drawn_mesh_bind(const WeftWorld* world, WeftClothId cloth,
                                          const WeftDrawnSurface* surface,
                                          const WeftDrawnMeshSettings* settings, WeftDrawnMesh** mesh);
 WEFT_API size_t weft_drawn_mesh_size(const WeftDrawnMesh* mesh);
-// Each is null, or has room for all vertices and is aligned to 16 bytes, or it is an error.
+// Each output is null, or has room for all vertices and is aligned to 16 bytes; others are errors.
 WEFT_API WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* world,
                                            WeftClothId cloth, WeftVec4* positions, WeftVec4* normals,
                                            WeftVec4* tangents, size_t first, size_t count);
@@ -226,7 +226,7 @@ WEFT_API void weft_fixed_step_reset(WeftFixedStep* clock);
 WEFT_API WeftResult weft_fixed_step_settings(const WeftFixedStep* clock, WeftFixedStepSettings* settings);
 WEFT_API void weft_fixed_step_destroy(WeftFixedStep* clock);
 
-// Of the whole process; null: as without.
+// Sets the hooks of the whole process; null: none.
 WEFT_API WeftResult weft_set_hooks(const WeftHooks* hooks);
 WEFT_API WeftMemoryUse weft_memory_in_use(void);
 

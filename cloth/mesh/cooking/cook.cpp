@@ -19,7 +19,7 @@ namespace weft {
 
 namespace {
 
-/// Invariant: a < b.
+/// A spring before it is stored at both its ends. Invariant: a < b.
 struct Spring {
     std::uint32_t a, b;
     SpringKind kind;
@@ -30,7 +30,7 @@ Spring make_spring(std::uint32_t a, std::uint32_t b, SpringKind kind, double res
     return {std::min(a, b), std::max(a, b), kind, static_cast<float>(rest_length)};
 }
 
-/// The vertex by which a triangle knows a particle: at a seam each panel has its own.
+/// The vertex that a triangle has for a particle: at a seam each panel has its own.
 std::uint32_t vertex_in(const Topology& topology, std::uint32_t triangle, std::uint32_t particle) {
     const Triangle& particles = topology.triangles[triangle];
     const auto corner = std::find(particles.begin(), particles.end(), particle) - particles.begin();
@@ -41,7 +41,7 @@ double rest_distance(const Mesh& mesh, std::uint32_t vertex_a, std::uint32_t ver
     return (rest_point(mesh, vertex_b) - rest_point(mesh, vertex_a)).norm();
 }
 
-/// In the triangle's own panel, between two of its particles.
+/// The distance of two particles of a triangle in the triangle's own panel [m].
 double rest_distance(const Mesh& mesh, const Topology& topology, std::uint32_t triangle, std::uint32_t a,
                      std::uint32_t b) {
     return rest_distance(mesh, vertex_in(topology, triangle, a), vertex_in(topology, triangle, b));
@@ -55,7 +55,7 @@ double edge_length(const Mesh& mesh, const Topology& topology, const Edge& edge)
     return 0.5 * (first + rest_distance(mesh, topology, edge.triangles[1], a, b));
 }
 
-/// Edges hold together.
+/// Structural springs along all edges.
 std::vector<Spring> springs_of_mesh(const Mesh& mesh, const Topology& topology) {
     std::vector<Spring> springs;
     springs.reserve(4 * topology.edges.size());
@@ -65,9 +65,9 @@ std::vector<Spring> springs_of_mesh(const Mesh& mesh, const Topology& topology) 
     return springs;
 }
 
-/// Along the threads of a woven grid (Provot 1995): neighbours and diagonals; threads bend by second
-/// neighbours.
-/// Precondition: particle (row, column) is row * columns + column, and so is its vertex.
+/// Springs of a woven grid (Provot 1995): to neighbours along threads, across cells, and to second
+/// neighbours, by which threads bend. Precondition: particle (row, column) is row * columns + column, and so
+/// is its vertex.
 std::vector<Spring> springs_of_grid(const Mesh& mesh) {
     struct Step {
         std::uint32_t rows;
@@ -95,7 +95,7 @@ std::vector<Spring> springs_of_grid(const Mesh& mesh) {
     return springs;
 }
 
-/// Two particles get one spring: of the lower kind, and of one kind the first.
+/// Keeps one spring for each pair of particles: the first of those of the lowest kind.
 void keep_one_per_pair(std::vector<Spring>& springs) {
     std::stable_sort(springs.begin(), springs.end(), [](const Spring& p, const Spring& q) {
         return std::tie(p.a, p.b, p.kind) < std::tie(q.a, q.b, q.kind);
@@ -122,13 +122,13 @@ void count_springs(std::span<const Spring> springs, ClothInfo& info) {
     info.mean_edge = static_cast<float>(length / info.structural_springs);
 }
 
-/// counts[i + 1] elements in row i, to the offsets at which the rows start.
+/// Turns counts[i + 1], the number of elements in row i, into the offsets at which rows start.
 void accumulate_offsets(std::span<std::uint32_t> counts) {
     for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
 }
 
-/// Precondition: springs ascend by (a, b). Filling the far ends first leaves every row ascending, since row i
-/// then gets its lower neighbours before its higher ones, each in order.
+/// Stores springs at both ends. Precondition: springs ascend by (a, b). Filling the far ends first leaves
+/// every row ascending, since row i then gets its lower neighbours before its higher ones, each in order.
 void store_springs(std::span<const Spring> springs, ClothModel& cloth) {
     cloth.spring_offsets = SharedBuffer<std::uint32_t>(cloth.particle_count + 1);
     cloth.neighbours = SharedBuffer<std::uint32_t>(2 * springs.size());
@@ -220,7 +220,7 @@ ClothInfo make_info(const Mesh& mesh, const Topology& topology) {
     return info;
 }
 
-/// Before particles are renumbered.
+/// Lists the repairs. Precondition: particles have not been renumbered.
 CookReport make_report(const Topology& topology) {
     CookReport report{.welded = {},
                       .dropped = topology.dropped,
@@ -265,7 +265,7 @@ std::optional<Half> half_of_cell(const Mesh& mesh, const Triangle& triangle) {
         row = std::min(row, vertex / columns);
         column = std::min(column, vertex % columns);
     }
-    std::uint32_t left_out = 0;  // 0 ^ 1 ^ 2 ^ 3: what three of them leave is the fourth
+    std::uint32_t left_out = 0;  // 0 ^ 1 ^ 2 ^ 3 is 0, so that three corners leave the fourth
     for (const std::uint32_t vertex : triangle) {
         const std::uint32_t down = vertex / columns - row, across = vertex % columns - column;
         if (down > 1 || across > 1) return std::nullopt;
@@ -274,8 +274,8 @@ std::optional<Half> half_of_cell(const Mesh& mesh, const Triangle& triangle) {
     return Half{row * columns + column, left_out};
 }
 
-/// The first triangle that is none of the grid's, by its number; the count of triangles where there is none.
-/// Each cell has two, which leave out opposite corners.
+/// The number of the first triangle that is not the grid's; the count of triangles if there is none. Each
+/// cell has two triangles, which leave out opposite corners.
 std::size_t first_strange_triangle(const Mesh& mesh, std::span<const Triangle> triangles) {
     constexpr std::uint8_t none_yet = 4, full = 5;
     std::vector<std::uint8_t> left_out(mesh.positions.size(), none_yet);
@@ -317,7 +317,7 @@ Result<void> check_grid(const Mesh& mesh, const Topology& topology) {
     return {};
 }
 
-/// Stores bending with its weights. `springs` are those of the membrane; of a grid, all.
+/// Stores springs and bending's weights. `springs` are those of the membrane; for a grid, all.
 void store_bending_among(std::vector<Spring> springs, ClothModel& cloth) {
     if (cloth.rows > 0) {
         store_springs(springs, cloth);
@@ -401,13 +401,13 @@ std::uint32_t fingerprint_of(const ClothModel& model) {
 std::uint32_t half_edge_between(const ClothModel& model, std::uint32_t i, std::uint32_t j) {
     constexpr std::uint32_t few = 32;
     const std::uint32_t begin = model.spring_offsets[i], end = model.spring_offsets[i + 1];
-    // It is there, but perhaps in a file that was made to mislead.
+    // The half-edge exists, except in a corrupt file.
     const auto last = static_cast<std::uint32_t>(model.neighbours.size()) - 1;
     const std::uint32_t* const neighbours = model.neighbours.data();
     if (end - begin > few)
         return std::min(last, static_cast<std::uint32_t>(
                                   std::lower_bound(neighbours + begin, neighbours + end, j) - neighbours));
-    // Faster than a search that nobody can predict.
+    // In short rows counting is faster than bisection, whose branches cannot be predicted.
     std::uint32_t before = 0;
     for (std::uint32_t e = begin; e < end; ++e) before += neighbours[e] < j ? 1 : 0;
     return std::min(last, begin + before);

@@ -55,7 +55,7 @@ Geodesics::Geodesics(const ClothModel& model)
     reserve();
 }
 
-// A shorter way to the particle has been found, or nearer groups have dropped this one.
+// An entry is superseded if a shorter way to its particle has been found, or if nearer groups displaced it.
 bool Geodesics::is_superseded(const Front& front) const {
     const GeodesicReach* const way = find(reached_[front.particle], front.source);
     return way == nullptr || way->distance < front.distance;
@@ -72,8 +72,8 @@ void Geodesics::push(const Front& front) {
     std::ranges::push_heap(front_, std::greater<>{}, &Front::distance);
 }
 
-// A particle keeps its ways in order; one that more than most_reached groups are nearer than is dropped, and
-// does not go on from there: nor is it among the nearest of any particle behind.
+// A particle keeps its ways in ascending order. A way that has most_reached nearer groups is dropped and not
+// continued: it is not among the nearest of any particle behind either.
 void Geodesics::reach(std::uint32_t particle, const GeodesicReach& way) {
     constexpr double least_gain = 1 - 1e-9;  // rounding must not keep the front alive
     Reached& reached = reached_[particle];
@@ -89,8 +89,8 @@ void Geodesics::reach(std::uint32_t particle, const GeodesicReach& way) {
     push({way.distance, particle, way.source});
 }
 
-// A front that passes a corner of at most 90 degrees last cannot come back to it: such a corner, if it is
-// nearer than the particle that the front has come to, is done with.
+// A corner of at most 90 degrees that is nearer than the front's particle is final: no front that crosses the
+// triangle later gives it a shorter way.
 void Geodesics::cross_triangle(const Triangle& particles, const std::array<GeodesicCorner, 3>& shape,
                                std::uint32_t from, const GeodesicReach& way) {
     const std::size_t a = particles[0] == from   ? 0
@@ -119,8 +119,7 @@ void Geodesics::cross_triangle(const Triangle& particles, const std::array<Geode
 }
 
 // In an obtuse triangle the front can reach the far corner before one of the other two. A particle that is
-// reached by a shorter way later goes back into the front, which then corrects what it had reached from
-// there.
+// later reached by a shorter way enters the front again, which then corrects the distances found from there.
 void Geodesics::march(const ClothModel& model, std::span<const GeodesicSource> sources) noexcept {
     std::ranges::fill(reached_, Reached{});
     front_.clear();

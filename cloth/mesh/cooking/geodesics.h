@@ -11,20 +11,19 @@
 
 namespace weft {
 
-/// A particle from which distances are measured. Of the sources of one group a particle keeps the nearest
-/// alone.
+/// A particle from which distances are measured. A particle keeps only the nearest source of each group.
 struct GeodesicSource {
     std::uint32_t particle, group;
 };
 
-/// How one source is reached along the cloth.
+/// The way along the cloth to one source.
 struct GeodesicReach {
     static constexpr std::uint32_t none = ~0u;
     double distance = 0;  ///< [m]
     std::uint32_t source = none, group = none;
 };
 
-/// A triangle laid flat, seen from one corner. The opposite side begins at the next corner; the corner lies
+/// A triangle laid flat, relative to one corner. The opposite side begins at the next corner; the corner lies
 /// `along` from there and `height` above it.
 struct GeodesicCorner {
     double along, height, side;  ///< [m]
@@ -39,14 +38,14 @@ class Geodesics {
 
     explicit Geodesics(const ClothModel& model);
 
-    /// Takes the memory of march(), which a copy lacks.
+    /// Allocates the memory of march(), which a copy lacks.
     void reserve() { front_.reserve(most_reached * reached_.size()); }
 
-    /// Finds for each particle the groups of sources that are nearest along the cloth.
-    /// Precondition: reserve() has been called. Takes no memory.
+    /// Finds for each particle the groups of sources that are nearest along the cloth. Does not allocate.
+    /// Precondition: reserve() has been called.
     void march(const ClothModel& model, std::span<const GeodesicSource> sources) noexcept;
 
-    /// The nearest first; source none: there are no more that can be reached.
+    /// A particle's ways, the nearest first. Source none: no further source can be reached.
     [[nodiscard]] std::span<const GeodesicReach> from(std::uint32_t particle) const {
         return reached_[particle];
     }

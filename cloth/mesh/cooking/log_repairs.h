@@ -1,11 +1,11 @@
 #pragma once
-// What the host's log is told of a mesh.
+// Lines of the host's log about a mesh.
 
 #include "weft/cooked_cloth.h"
 
 namespace weft {
 
-/// Tells the log what cooking left out, turned and found.
+/// Logs what cooking repaired in a mesh, and what it could not.
 void log_repairs(const ClothInfo& info) noexcept;
 
 }  // namespace weft

@@ -19,7 +19,7 @@ struct Graph {
     [[nodiscard]] std::uint32_t degree(std::uint32_t i) const { return offsets[i + 1] - offsets[i]; }
 };
 
-/// Rows ascend by degree, in which order Cuthill and McKee visit them.
+/// Makes the graph. Its rows ascend by degree, the order of visits of Cuthill and McKee.
 Graph graph_of(const Topology& topology) {
     Graph graph;
     graph.offsets.assign(topology.particle_count() + 1, 0);
@@ -43,13 +43,13 @@ Graph graph_of(const Topology& topology) {
     return graph;
 }
 
-/// Visits of the present search carry its number.
+/// The number of the last search that visited each particle.
 struct Visits {
     std::vector<std::uint32_t> of;
     std::uint32_t search = 0;
 };
 
-/// Breadth first from `start`, to the end of `found`. Returns where the last level begins in it.
+/// Appends particles to `found`, breadth first from `start`. Returns where the last level begins in it.
 std::size_t spread(const Graph& graph, std::uint32_t start, Visits& visits,
                    std::vector<std::uint32_t>& found) {
     ++visits.search;
@@ -85,7 +85,7 @@ std::uint32_t far_from(const Graph& graph, std::uint32_t start, Visits& visits) 
     return start;
 }
 
-/// Springs that a particle will have: along its edges, and across those that it is opposite to.
+/// The number of springs that each particle will have: along its edges, and across those opposite to it.
 std::vector<std::uint32_t> spring_counts(const Topology& topology) {
     std::vector<std::uint32_t> counts(topology.particle_count(), 0);
     for (const Edge& edge : topology.edges) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where a mesh's vertices are now, as a host gives it.
+// Check of the present positions of a mesh's vertices, which a host gives.
 
 #include <span>
 
@@ -7,8 +7,8 @@
 
 namespace weft {
 
-/// Error: another number than of vertices, one that is not finite, or a triangle of a vertex that there is
-/// not.
+/// Error: another number of positions than of vertices, a position that is not finite, or a triangle with a
+/// vertex out of range.
 [[nodiscard]] Result<void> check_positions(const Mesh& mesh, std::span<const Vec3> positions);
 
 }  // namespace weft

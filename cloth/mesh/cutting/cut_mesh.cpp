@@ -1,4 +1,4 @@
-// The mesh once edges of it have parted.
+// The mesh after a cut along edges.
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ std::uint32_t corner_of(const Topology& topology, std::uint32_t triangle, std::u
     return corner_number(triangle, static_cast<std::uint32_t>(at));
 }
 
-/// Corners that hang together at a particle, each class by its lowest.
+/// Classes of corners that uncut edges join at a particle, each named by its lowest corner.
 class Fans {
   public:
     explicit Fans(std::size_t corners) : parents_(corners) {
@@ -58,7 +58,7 @@ bool mark(const Topology& topology, std::uint32_t a, std::uint32_t b, std::vecto
            mark(topology, flip->apex, b, marks);
 }
 
-/// Which edges of the topology these are. Error: one that it does not have.
+/// Marks these edges of the topology. Error: an edge that it does not have.
 Result<std::vector<std::uint8_t>> marked(const Topology& topology, std::span<const MeshEdge> edges) {
     std::vector<std::uint8_t> marks(topology.edges.size());
     for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -112,7 +112,7 @@ void append_copy(std::vector<T>& list, std::uint32_t of) {
     list.push_back(copied);
 }
 
-/// Another vertex at the place of one that the mesh has.
+/// Appends a copy of a vertex and returns its number.
 std::uint32_t add_vertex(MeshCut& cut, std::uint32_t of) {
     append_copy(cut.mesh.positions, of);
     append_copy(cut.mesh.pattern, of);
@@ -136,8 +136,8 @@ std::vector<ParentCorner> corners_at(const Topology& topology, Fans& fans,
     return corners;
 }
 
-/// Each fan becomes a particle; of a vertex that several fans have, the first one keeps it. What no triangle
-/// has goes with its particle's first.
+/// Makes each fan a particle. A vertex of several fans stays with the first one, and the others get copies.
+/// Vertices of no triangle go with the first fan of their particle.
 void part(const Topology& topology, Fans& fans, std::span<const std::uint8_t> touched, MeshCut& cut) {
     struct InFan {
         std::uint32_t vertex, fan;

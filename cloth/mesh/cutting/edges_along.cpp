@@ -1,4 +1,4 @@
-// Which edges a blade cuts along.
+// The edges that a blade cuts along.
 
 #include <algorithm>
 #include <array>
@@ -23,21 +23,21 @@ Point point(const Vec3& p) {
     return to_vector(p).cast<double>();
 }
 
-/// Six times the volume of a tetrahedron, which tells the side of (a, b, c) that d is on.
+/// Six times the volume of a tetrahedron. Its sign is the side of (a, b, c) that d is on.
 double volume(const Point& a, const Point& b, const Point& c, const Point& d) {
     return (b - a).cross(c - a).dot(d - a);
 }
 
-/// Half of what a blade passes.
+/// One of the two triangles of the surface that a blade sweeps.
 struct Patch {
     Point a, b, c;
     [[nodiscard]] bool has_area() const { return !(b - a).cross(c - a).isZero(0); }
 
-    /// Where it crosses the way from p to q, as a part of that. What only touches it crosses.
+    /// Where the segment from p to q crosses the patch, as a part of the segment. A touch is a crossing.
     [[nodiscard]] std::optional<double> crosses(const Point& p, const Point& q) const {
         const double from = volume(a, b, c, p), to = volume(a, b, c, q);
         if (from == to || from * to > 0) return std::nullopt;
-        // Of the line through p and q: on one side of all three sides of the patch.
+        // The line p q crosses the patch if all three sides of the patch turn the same way about the line.
         const std::array sides{volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)};
         const bool inside = std::ranges::all_of(sides, [](double side) { return side >= 0; }) ||
                             std::ranges::all_of(sides, [](double side) { return side <= 0; });
@@ -52,9 +52,9 @@ class Passed {
         : patches_{Patch{point(blade.was_a), point(blade.was_b), point(blade.is_b)},
                    Patch{point(blade.was_a), point(blade.is_b), point(blade.is_a)}} {}
 
-    /// Whether the nearer end of the edge is its first; none: it is not crossed.
+    /// Whether the end of the edge nearer to the crossing is its first; none: the edge is not crossed.
     [[nodiscard]] std::optional<bool> nearer_is_first(const Vec3& first, const Vec3& second) const {
-        // Told of an edge by its ends in one order, so that both of its triangles hear the same.
+        // Ends are compared in one order, so that both triangles of an edge get the same answer.
         const auto key = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
         if (key(second) < key(first)) {
             const std::optional<bool> turned = nearer_is_first(second, first);
@@ -79,10 +79,10 @@ Result<void> check_blade(const Blade& blade) {
     return {};
 }
 
-/// A cut's way over the sides of a triangle.
+/// The path of a cut over the sides of a triangle.
 struct Crossings {
-    std::array<bool, 3> corners{};  ///< that it goes through
-    std::uint32_t sides = 0;        ///< that it crosses: an odd number where it ends within
+    std::array<bool, 3> corners{};  ///< that the cut goes through
+    std::uint32_t sides = 0;        ///< number of sides crossed; odd: the cut ends inside
 };
 
 Crossings crossings_of(const Passed& passed, const Triangle& triangle, std::span<const Vec3> positions) {
@@ -98,7 +98,7 @@ Crossings crossings_of(const Passed& passed, const Triangle& triangle, std::span
     return found;
 }
 
-/// Takes where the stroke went into the triangle into account, and out of the stroke.
+/// Moves the stroke's ends in a triangle into the triangle's crossings.
 void go_on(CutStroke& stroke, std::uint32_t triangle, Crossings& crossings) {
     std::erase_if(stroke.ends, [&](const CutStroke::Corners& end) {
         if (end.triangle != triangle) return false;
@@ -108,14 +108,14 @@ void go_on(CutStroke& stroke, std::uint32_t triangle, Crossings& crossings) {
     });
 }
 
-/// Whether that is another.
+/// Adds an edge to the stroke, unless it has the edge. Returns whether it was added.
 bool add_edge(CutStroke& stroke, const CutStroke::Corners& edge) {
     if (std::ranges::find(stroke.edges, edge) != stroke.edges.end()) return false;
     stroke.edges.push_back(edge);
     return true;
 }
 
-/// Whether the cut goes on along the triangle.
+/// Adds the edges of a triangle that the cut goes along. Returns whether any is new.
 bool pass(CutStroke& stroke, std::uint32_t triangle, Crossings crossings) {
     if (crossings.sides == 0) return false;
     go_on(stroke, triangle, crossings);

@@ -1,4 +1,4 @@
-// Which edges part where cloth is strained.
+// The edges along which strained cloth tears.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ Result<void> check_positions(const Mesh& mesh, std::span<const Vec3> positions) 
 
 namespace {
 
-/// The mesh as it lies now.
+/// The mesh at its present positions.
 struct Lying {
     const Topology& topology;
     std::span<const Vec3> positions;
@@ -87,13 +87,13 @@ bool is_at_border(const Topology& topology, const EdgesOfParticles& edges, std::
                                [&](std::uint32_t e) { return topology.edges[e].is_border(); });
 }
 
-/// Where cloth opens: by which edges, and whether that goes on from a border.
+/// A tear: its edges, and whether it runs on from a border.
 struct Opening {
-    std::vector<MeshEdge> edges;  ///< none: it does not
+    std::vector<MeshEdge> edges;  ///< empty: there is no tear
     bool runs_on = false;
 };
 
-/// Of one strained edge: at the end where it opens, if it does at one.
+/// The tear of one strained edge, at the end where cloth can open; none where it can at neither.
 Opening opening_at(const Lying& lying, const EdgesOfParticles& edges, std::uint32_t a, std::uint32_t b) {
     if (is_at_border(lying.topology, edges, b) && !is_at_border(lying.topology, edges, a)) std::swap(a, b);
     const Vector3 pull = lying.at(b) - lying.at(a);
@@ -127,7 +127,7 @@ Result<std::vector<MeshEdge>> edges_to_tear(const Mesh& mesh, std::span<const Ve
         if (!topology) return topology.error();
         const EdgesOfParticles edges(*topology);
         const Lying lying{*topology, positions};
-        // A tear that runs takes the strain off what is ahead of it.
+        // A tear that runs on relieves the strain ahead of it, so no new tear opens then.
         Opening first;
         std::vector<MeshEdge> torn;
         for (const StrainedEdge& edge : strained) {

@@ -23,7 +23,7 @@ class CornerTree {
     void remove(std::uint32_t corner);
 
     /// Calls visit(corner) for all corners in the counter-clockwise triangle or within the slack of it, and
-    /// for some others, until it returns true. Returns the nodes and corners that were looked at.
+    /// for some others, until it returns true. Returns the number of nodes and corners visited.
     template <class Visit>
     std::size_t search(const std::array<Eigen::Vector2d, 3>& triangle, const Visit& visit) const {
         std::size_t looked_at = 0;

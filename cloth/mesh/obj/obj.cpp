@@ -24,7 +24,7 @@ namespace {
 
 using Corner = ObjContent::Corner;
 
-/// More than the largest mesh takes.
+/// The largest file that is read. The largest mesh takes less.
 constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 33;
 
 /// All corners of the triangles, by positions: those of position i are [offsets[i], offsets[i + 1]) of
@@ -135,7 +135,7 @@ Result<Mesh> load(const std::filesystem::path& file, const ObjOptions& options, 
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return unreadable(name);
     std::optional<Result<ObjContent>> read;
-    // What the stream's buffer throws where reading fails.
+    // The stream's buffer may throw this where reading fails.
     ignoring<std::ios_base::failure>([&] {
         read = stream.rdbuf()->sgetc() == std::ifstream::traits_type::eof()
                    ? Error{ErrorCode::malformed_file, name + ": is empty; an OBJ file has v and f lines"}
@@ -151,7 +151,7 @@ Result<Mesh> load(const std::filesystem::path& file, const ObjOptions& options, 
     return mesh;
 }
 
-/// Nine significant digits tell any two floats apart.
+/// Appends a number with nine significant digits, which distinguish any two floats.
 void append_number(std::string& text, float value) {
     std::array<char, 32> digits;
     const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value,
@@ -192,7 +192,7 @@ Result<void> save(const std::filesystem::path& file, const Mesh& mesh) {
     errno = 0;
     std::ofstream stream(file, std::ios::binary);
     ignoring<std::ios_base::failure>([&] {
-        // Else a stream keeps to itself that memory ran out.
+        // By default a stream swallows std::bad_alloc.
         if constexpr (has_exceptions) stream.exceptions(std::ios_base::badbit);
         stream << text << std::flush;
     });

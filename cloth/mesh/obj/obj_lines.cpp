@@ -36,7 +36,7 @@ Result<bool> ObjLines::next() {
     return true;
 }
 
-// A comment is cut off before its end is looked at: many a one ends in a Windows path.
+// Comments are removed before next() looks for a trailing backslash: many a comment ends in a Windows path.
 bool ObjLines::append_line() {
     ++lines_read_;
     bool comment = false;

@@ -12,16 +12,16 @@ namespace weft {
 
 class ObjLines {
   public:
-    /// Characters of a statement, its comments not counted. Longer ones are no OBJ file's.
+    /// The most characters of a statement without its comments. No OBJ file has longer statements.
     static constexpr std::size_t most_characters = std::size_t{1} << 20;
 
     /// `file` is the name that errors give the stream. Both must outlive this.
     ObjLines(std::istream& stream, const std::string& file);
 
-    /// Goes on to the next statement; false at the end. Lines that a backslash joins are one statement.
+    /// Advances to the next statement; false at the end. Lines that a backslash joins are one statement.
     /// Error: a statement that is too long.
     [[nodiscard]] Result<bool> next();
-    /// Without comments and line ends, whether LF, CR LF or CR.
+    /// The statement, without comments and line ends (LF, CR LF or CR).
     [[nodiscard]] std::string_view text() const noexcept { return text_; }
 
     /// "FILE:LINE: message", by the present statement's first line, counted from 1.
@@ -30,7 +30,7 @@ class ObjLines {
     [[nodiscard]] std::size_t line() const noexcept { return line_; }
 
   private:
-    /// Appends a line of the file to the text; false: that has become too long.
+    /// Appends a line of the file to the text. False: the text has become too long.
     [[nodiscard]] bool append_line();
     [[nodiscard]] bool at_end() const;
 

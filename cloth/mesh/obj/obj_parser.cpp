@@ -73,28 +73,28 @@ std::uint32_t to_corner_index(std::int64_t from_zero) {
     return static_cast<std::uint32_t>(std::min<std::int64_t>(from_zero, Corner::none));
 }
 
-/// The outline comes to one position twice. Reorders its corners.
+/// Whether the outline comes to one position twice. Reorders its corners.
 bool touches_itself(std::span<Vec3> outline) {
     const auto place = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
     std::ranges::sort(outline, {}, place);
     return std::ranges::adjacent_find(outline, {}, place) != outline.end();
 }
 
-/// Indices may point forward. Of those that do, each that is the largest so far is kept with its line: the
-/// first index that leads nowhere is one of them.
+/// Checks of the elements of one kind. Indices may point forward. Each forward index that is the largest so
+/// far is stored with its line: the first index out of range is one of them.
 class Elements {
   public:
     Elements(const char* keyword, const char* name, std::size_t most)
         : keyword_(keyword), name_(name), most_(most) {}
 
-    /// After a line of them, `count` in all.
+    /// Call this after each line of the kind, with the number of lines so far.
     [[nodiscard]] Result<void> check_count(const ObjLines& lines, std::size_t count) const {
         if (count <= most_) return {};
         return lines.error("there are more than " + std::to_string(most_) + " \"" + keyword_ +
                            "\" lines; a mesh may have so many");
     }
 
-    /// From an index counted from 1, or from -1 backwards, to one counted from 0.
+    /// Converts an index counted from 1, or from -1 backwards, to one counted from 0.
     [[nodiscard]] Result<std::uint32_t> from_zero(const ObjLines& lines, std::string_view corner,
                                                   std::int64_t index, std::size_t so_far) {
         const auto available = static_cast<std::int64_t>(so_far);
@@ -111,7 +111,7 @@ class Elements {
         return to_corner_index(index - 1);
     }
 
-    /// At the end of the file, with `total` of them.
+    /// Call this at the end of the file, with the number of elements.
     [[nodiscard]] Result<void> check_forward(const ObjLines& lines, std::size_t total) const {
         const auto missing = std::ranges::find_if(
             forward_, [&](const Forward& f) { return f.index > static_cast<std::int64_t>(total); });
@@ -186,7 +186,7 @@ class Parser {
         return texcoords_.check_count(lines_, content_.texcoords.size());
     }
 
-    /// More than are needed may follow: weights and colours.
+    /// Reads the coordinates that are needed. More may follow: weights and colours.
     Result<void> read_coordinates(std::string_view rest, const char* keyword, std::span<float> needed) const {
         std::size_t count = 0;
         for (std::string_view token = take_word(rest); !token.empty(); token = take_word(rest)) {
@@ -221,8 +221,8 @@ class Parser {
         return {};
     }
 
-    /// Positions may follow. Until all are there, the triangles of a larger face hold its corners, one after
-    /// the other: there are three times n - 2 places for n.
+    /// Positions may follow later. Until all are read, the triangles of a larger face hold its n corners, one
+    /// after the other, in their 3 (n - 2) places.
     void append_face() {
         const std::size_t first = content_.triangles.size();
         content_.triangles.resize(first + face_.size() - 2);
@@ -249,7 +249,7 @@ class Parser {
         content_.triangulated_faces = static_cast<std::uint32_t>(larger_faces_.size());
     }
 
-    /// "v", "v/vt", "v//vn" or "v/vt/vn". Normals are not kept, so theirs need only be an index.
+    /// Reads "v", "v/vt", "v//vn" or "v/vt/vn". Normals are not stored, so vn is only checked to be an index.
     Result<Corner> read_corner(std::string_view corner) {
         const std::size_t slash = std::min(corner.find('/'), corner.size());
         const Result<std::uint32_t> position =

@@ -1,5 +1,5 @@
 #pragma once
-// What an OBJ file says, checked as it is read.
+// The content of an OBJ file, checked as it is read.
 
 #include <array>
 #include <cstdint>
@@ -29,10 +29,9 @@ struct ObjContent {
     bool has_texcoords = false;                                                    ///< on any corner
 };
 
-/// Error, by line: a coordinate that is no finite number, too few of them, a face of fewer than three
-/// corners, an index that is 0 or leads nowhere, a corner without the texture coordinate that
-/// `need_texcoords` asks for, more elements than a mesh may have; or no faces. `file` is the name that errors
-/// give it.
+/// Parses an OBJ file. Error, by line: a coordinate that is no finite number, too few of them, a face of
+/// fewer than three corners, an index that is 0 or out of range, a corner without the texture coordinate that
+/// `need_texcoords` asks for, more elements than a mesh may have; or no faces. Errors name the file `file`.
 [[nodiscard]] Result<ObjContent> parse_obj(std::istream& stream, const std::string& file,
                                            bool need_texcoords);
 

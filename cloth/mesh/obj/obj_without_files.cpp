@@ -1,4 +1,4 @@
-// In place of obj.cpp where the standard library has no files.
+// Replaces obj.cpp where the standard library has no files.
 
 #include "weft/mesh.h"
 

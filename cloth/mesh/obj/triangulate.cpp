@@ -20,15 +20,15 @@ namespace weft {
 
 namespace {
 
-/// A larger face is not cut into a fan, whose first corner would get all of its triangles.
+/// The most corners of a face that is cut into a fan: its first corner gets all of the triangles.
 constexpr std::uint32_t most_corners_of_fan = 64;
 
 Eigen::Vector3d difference(const Vec3& p, const Vec3& origin) {
     return to_vector(p).cast<double>() - to_vector(origin).cast<double>();
 }
 
-/// Cuts the triangle between the first corner, the middle one and the last, and goes on with what is left on
-/// both its sides: no corner gets more than two triangles for each halving.
+/// Cuts the triangle between the first corner, the middle one and the last, and halves the rest on both its
+/// sides in the same way: no corner gets more than two triangles for each halving.
 void append_halves(std::uint32_t first, std::uint32_t last, std::vector<Triangle>& triangles) {
     if (last - first < 2) return;
     const std::uint32_t middle = first + (last - first + 1) / 2;
@@ -49,7 +49,7 @@ Eigen::Vector3d doubled_area(const Vec3& a, const Vec3& b, const Vec3& c) {
     return difference(b, a).cross(difference(c, a));
 }
 
-/// The outline as it is seen along Newell's normal (Sutherland, Sproull, Schumacker 1974): its area vector.
+/// The outline as seen along its area vector, Newell's normal (Sutherland, Sproull, Schumacker 1974).
 struct View {
     explicit View(std::span<const Vec3> seen) : outline(seen) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -74,7 +74,7 @@ struct View {
     }
 
     /// Two triangles that are folded to an angle of 11 degrees have 10 times the area that is seen. The two
-    /// halves of a bow tie have more: they cancel in the normal, but for what the face is not flat.
+    /// halves of a bow tie have more: they cancel in the normal, except where the face is not flat.
     static constexpr double most_oblique = 10;
 
     std::span<const Vec3> outline;
@@ -101,8 +101,8 @@ class EarClipping {
 
   private:
     /// Order of cuts. Corners without area come first on the outside, where their cut simplifies the outline.
-    /// On the inside it makes a triangle without area: they come last, unless earlier cuts took all that they
-    /// had.
+    /// On the inside their cut makes a triangle without area: they come last, unless earlier cuts took their
+    /// area away.
     enum Rank : std::int8_t { at_once, proper, touched, without_area };
 
     struct Candidate {
@@ -135,12 +135,12 @@ class EarClipping {
     std::vector<std::int8_t> turns_;             // of each corner: 1 left, -1 right, 0 straight or none
     std::vector<bool> is_cut_, blocks_;
     std::vector<Eigen::Vector2d> points_;  // corners along two axes across the normal
-    std::optional<CornerTree> blocking_;   // made when the first ear is looked at
+    std::optional<CornerTree> blocking_;   // made when the first ear is examined
     std::priority_queue<Candidate> candidates_;
     std::size_t looks_left_;
 };
 
-/// Budget of the searches: nodes and corners looked at for each corner of the face, so that a file is read in
+/// Budget of the searches: nodes and corners visited for each corner of the face, so that a file is read in
 /// time proportional to its length. Combs, stars and spirals of up to 100 000 corners need 30 to 150. More
 /// are needed only where thousands of corners lie at one position; such a face counts as crossing itself.
 constexpr std::size_t most_looks = 512;
@@ -232,7 +232,7 @@ std::optional<EarClipping::Candidate> EarClipping::next_ear() {
     return std::nullopt;
 }
 
-/// Coordinates along two axes across the normal, the first of which turns counter-clockwise to the second.
+/// Computes coordinates along two axes across the normal. The first turns counter-clockwise to the second.
 void EarClipping::flatten() {
     const Eigen::Vector3d normal = to_vector(view_.normal).cast<double>().normalized();
     const Eigen::Vector3d first = normal.unitOrthogonal(), second = normal.cross(first);

@@ -13,11 +13,12 @@ namespace weft {
 /// corners. They turn as the outline does, and cover the face once, as seen along its normal (Newell's:
 /// Sutherland, Sproull, Schumacker 1974). Faces of up to 64 corners are cut into fans about their first
 /// corner, larger ones by halving; where such a cut would turn a triangle over, by ears (Meisters 1975,
-/// "Polygons have ears"), the smallest circumscribed circle first. Outlines that touch themselves, as one
-/// with a hole does that an edge there and back joins to it, get triangles without area where there is
-/// nothing between them.
+/// "Polygons have ears"), the smallest circumscribed circle first. An outline may touch itself, as that of a
+/// face with a hole does along an edge there and back. It gets triangles without area where it encloses
+/// nothing.
 ///
-/// False: the outline crosses itself, so that no cut is right. The triangles are the fan's, or the halving's.
+/// Returns false if the outline crosses itself, so that no cut is right. `triangles` are then those of the
+/// fan, or of the halving.
 ///
 /// Precondition: the outline has at least three corners, all finite.
 [[nodiscard]] bool triangulate(std::span<const Vec3> outline, std::vector<Triangle>& triangles);

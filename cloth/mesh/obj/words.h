@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// The next word, which `text` then begins after; nothing where there is none.
+/// Removes the next word from `text` and returns it; empty where there is none.
 inline std::string_view take_word(std::string_view& text) {
     constexpr std::string_view blanks = " \t\r";
     const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());

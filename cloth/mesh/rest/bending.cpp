@@ -9,7 +9,7 @@ namespace weft {
 
 namespace {
 
-/// Terms of k phi_e phi_f.
+/// Calls body for the terms of k phi_e phi_f.
 void append_terms(const Hinge& e, const Hinge& f, float k,
                   const std::function<void(std::uint32_t, std::uint32_t, float)>& body) {
     for (std::size_t a = 0; a < 4; ++a)
@@ -28,8 +28,8 @@ void for_each_quadratic_term(const Bending& bending,
     }
 }
 
-// d theta/dx of an apex is its triangle's unit normal over its height above the edge; the edge's ends take
-// the opposite, shared as the apex's foot lies between them, so that no translation or rotation is felt.
+// d theta/dx of an apex is its triangle's unit normal over its height above the edge. The edge's ends get the
+// opposite, in shares by where the apex's foot lies between them, so that rigid motions keep the angle.
 Dihedral dihedral(const std::array<Vector3, 4>& x, float least_height) {
     const Vector3 edge = x[1] - x[0];
     const float squared = std::max({edge.squaredNorm(), least_height * least_height, 1e-30f});

@@ -1,10 +1,10 @@
 #pragma once
 // Bending by a flexural rigidity B [N m], of the energy that rest_elements.h states.
 //
-// Quadratic bending (Bergou et al. 2006): phi_e = sum_k q_k x_k, a vector. It rests flat, its Hessian is
-// constant and, since it is the same for x, y and z, has one number per pair of particles. Rigid motions cost
-// nothing. The 3/(A + A') of that paper, which gives an edge a third of its triangles for its own, is three
-// times as stiff as the plate; they leave the scale to the user.
+// Quadratic bending (Bergou et al. 2006): phi_e = sum_k q_k x_k, a vector. Its rest shape is flat. Its
+// Hessian is constant and, since it is the same for x, y and z, has one number per pair of particles. Rigid
+// motions cost nothing. The 3/(A + A') of that paper, by which an edge owns a third of its triangles, is
+// three times as stiff as the plate; they leave the scale to the user.
 //
 // Dihedral bending (Bridson et al. 2003, Grinspun et al. 2003): phi_e = length (angle - angle at rest), exact
 // for large angles.
@@ -17,8 +17,8 @@
 
 namespace weft {
 
-/// body(i, j, k) for what the Hessian of quadratic bending with rigidity 1 has at particles i and j, i != j;
-/// each pair occurs in both orders, and as often as elements share it: k [1/m^2] are to be summed.
+/// Calls body(i, j, k) for the terms k [1/m^2] of particles i != j in the Hessian of quadratic bending with
+/// rigidity 1. Each pair occurs in both orders, and once for each element that has it: sum the terms.
 void for_each_quadratic_term(const Bending& bending,
                              const std::function<void(std::uint32_t, std::uint32_t, float)>& body);
 

@@ -10,10 +10,10 @@ namespace {
 /// A corner is one triangle at a particle.
 struct Corner {
     struct Side {
-        std::uint32_t hinge, particle;  ///< or no hinge, at a border; the side's other end
+        std::uint32_t hinge, particle;  ///< no_hinge at a border; the side's other end
         double length;                  ///< [m]
     };
-    Side forth, back;  ///< that it begins and ends, as it is wound
+    Side forth, back;  ///< the sides that begin and end at the particle, as the triangle is wound
     double angle, area;
     bool is_used = false;
 };
@@ -69,8 +69,8 @@ void FanFinder::find_fans(std::uint32_t particle) {
                 walk(particle, c, is_closed);
 }
 
-/// The particle is an end of the hinge's edge, which lies at that angle in the fan that was begun last. The
-/// hinge's first apex is in the triangle before the edge, or in that behind it.
+/// Records that the hinge's edge lies at that angle in the last fan, which is at the particle, an end of the
+/// edge. `apex_0_is_before`: the hinge's first apex is in the triangle before the edge, not behind it.
 void FanFinder::meet(std::uint32_t hinge, std::uint32_t particle, double angle, bool apex_0_is_before) {
     const std::uint32_t end = bending_.hinges[hinge].particles[0] == particle ? 0 : 1;
     HingeEnd& here = fans_.ends[hinge][end];
@@ -79,7 +79,7 @@ void FanFinder::meet(std::uint32_t hinge, std::uint32_t particle, double angle, 
     fans_.list.back().ends.push_back({hinge, end});
 }
 
-/// Goes from triangle to triangle, beginning at a border if there is one.
+/// Walks from triangle to triangle, beginning at a border if there is one.
 void FanFinder::walk(std::uint32_t particle, std::size_t first, bool is_closed) {
     Fan& fan = fans_.list.emplace_back();
     fan.middle = particle;
@@ -92,7 +92,7 @@ void FanFinder::walk(std::uint32_t particle, std::size_t first, bool is_closed) 
     std::vector<Met> met;
     const auto first_apex = [&](std::uint32_t hinge) { return bending_.hinges[hinge].particles[2]; };
     Corner* corner = &corners_[first];
-    // Along the way in which the first triangle is wound, unless that comes from the border.
+    // The walk goes as the first triangle is wound, unless it begins at a border on the other side.
     Corner::Side from = is_closed || corner->forth.hinge == Bending::no_hinge ? corner->forth : corner->back;
     if (is_closed) {
         const std::uint32_t apex = corner->back.particle;
@@ -110,7 +110,7 @@ void FanFinder::walk(std::uint32_t particle, std::size_t first, bool is_closed) 
             if (from.hinge != Bending::no_hinge && !other.is_used &&
                 (other.forth.hinge == from.hinge || other.back.hinge == from.hinge))
                 corner = &other;
-        if (is_closed && corner == nullptr) break;  // back where it began
+        if (is_closed && corner == nullptr) break;  // the ring is closed
         fan.around.push_back({from.particle, fan.angle, from.length});
         if (from.hinge != Bending::no_hinge)
             met.push_back({from.hinge, fan.angle, first_apex(from.hinge) == apex});

@@ -1,5 +1,5 @@
 #pragma once
-// Triangles about a particle, laid flat, and how tensors turn from an edge's frame into theirs.
+// Triangles about a particle, laid flat, and the rotation of tensors from an edge's frame into theirs.
 
 #include <array>
 #include <cmath>
@@ -22,12 +22,12 @@ class Turn {
         : cosine_(std::cos(2 * angle)), sine_(std::sin(2 * angle)), handedness_(mirrors ? -1 : 1) {}
 
     Tensor operator*(const Tensor& v) const { return rotated({v.x(), v.y(), handedness_ * v.z()}, sine_); }
-    /// Undoes it.
+    /// Applies the inverse.
     [[nodiscard]] Tensor back(const Tensor& v) const {
         const Tensor turned = rotated(v, -sine_);
         return {turned.x(), turned.y(), handedness_ * turned.z()};
     }
-    /// These turn a cross product of two tensors, which a mirror turns over, and turn it back.
+    /// These rotate a cross product of two tensors, whose sign a mirror changes, and rotate it back.
     [[nodiscard]] Eigen::Vector3d of_axis(const Eigen::Vector3d& v) const {
         return handedness_ * (*this * v);
     }
@@ -51,7 +51,7 @@ class Turn {
 /// HingeEnd is one end of a hinge's edge, in the fan of triangles there.
 struct HingeEnd {
     std::uint32_t fan = Bending::no_hinge;
-    Turn to_fan;  ///< of tensors, from the hinge's frame, whose x runs along the edge
+    Turn to_fan;  ///< rotates tensors from the hinge's frame, whose x runs along the edge
 };
 
 /// Up to three tensors, its columns.
@@ -70,13 +70,13 @@ struct Fan {
     std::uint32_t middle = Bending::no_hinge;
     std::vector<End> ends;
     std::vector<Polar> around;
-    double angle = 0;  ///< of all its triangles
+    double angle = 0;  ///< sum over its triangles
     bool is_closed = false;
-    /// n n^T of the normals of its borders, along which it bears no moment. A border that hardly turns is
-    /// straight.
+    /// n n^T of the normals of its borders, along which it bears no moment. A border that hardly turns counts
+    /// as straight.
     Tensors free = Tensors(3, 0);
-    double area = 0;   ///< a third of its triangles' [m^2]
-    double scale = 0;  ///< 1 / norm of its f
+    double area = 0;   ///< a third of its triangles' area [m^2]
+    double scale = 0;  ///< 1 / norm of its hinges' f
 };
 
 /// All fans of a mesh, and where its hinges lie in them.
@@ -84,7 +84,7 @@ struct Fans {
     std::vector<Fan> list;
     std::vector<std::array<HingeEnd, 2>> ends;  ///< of the edges of hinges
 };
-/// Triangles at a particle are one fan where hinges join them.
+/// Finds the fans: triangles at a particle are one fan where hinges join them.
 [[nodiscard]] Fans find_fans(const ClothModel& model, const Bending& bending);
 
 }  // namespace weft

@@ -12,7 +12,7 @@ namespace weft {
 
 namespace {
 
-/// The threads and cells of a sheet.
+/// The elements of a sheet's threads and cells.
 class SheetBending {
   public:
     explicit SheetBending(const ClothModel& model) : model_(model) {}
@@ -35,7 +35,7 @@ class SheetBending {
     [[nodiscard]] double rest(std::uint32_t i, std::uint32_t j) const {
         return rest_length_between(model_, i, j);
     }
-    /// Of the strip that a thread stands for at particle i: half of the way to the threads beside it.
+    /// Width of the strip of a thread at particle i: half of the way to the threads beside it [m].
     [[nodiscard]] double width(std::uint32_t i, std::uint32_t place, bool along_column) const {
         const std::uint32_t step = along_column ? 1 : model_.columns;
         const std::uint32_t places = along_column ? model_.columns : model_.rows;
@@ -68,8 +68,8 @@ class SheetBending {
 
 // A plate bent to kxx, kyy, kxy gives the hinge phi = a kxx + b kyy + c kxy, with a = sum q x^2 / 2, b = sum
 // q y^2 / 2, c = sum q x y. Over cylinders along all directions the mean of its square is S = (3 (a^2 + b^2)
-// + 2 a b + c^2) / 8, and by k = 1.04 / sqrt(3 S) hinges cost what the plate does, on equilateral meshes
-// exactly but for 1.04, on irregular ones within some percent: see tests/bench/MEASUREMENTS.md.
+// + 2 a b + c^2) / 8. With k = 1.04 / sqrt(3 S) hinges have the plate's energy, on equilateral meshes exactly
+// but for the factor 1.04, on irregular ones within some percent: see tests/bench/MEASUREMENTS.md.
 double hinge_weight(const Hinge& hinge) {
     const std::array<Eigen::Vector2d, 4> at = flat_hinge(hinge);
     double a = 0, b = 0, c = 0;

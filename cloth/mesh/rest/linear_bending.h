@@ -16,16 +16,16 @@
 namespace weft {
 
 struct BendingElement {
-    std::array<std::uint32_t, 4> particles;  ///< an element of three names its first again
+    std::array<std::uint32_t, 4> particles;  ///< an element of three particles repeats its first
     std::array<float, 4> c;                  ///< [1/m]; sum 0
     float k;                                 ///< [m^0]; k c^2 is in 1/m^2
 };
 
-/// Of a sheet: what threads bend, by the second difference of three particles, and what cells twist, by that
-/// of their four corners. Together, the plate's B/2 |curvature tensor|^2 with Poisson's ratio 0.
-/// A general mesh has one element per pair of triangles that share an edge (Bergou et al. 2006), for methods
-/// whose elements have four particles. The others use vertex_bending().
-/// Needs the model's springs and triangles.
+/// A sheet's elements: the bending of threads, by the second difference of three particles, and the twist of
+/// cells, by that of their four corners. Together they are the plate's B/2 |curvature tensor|^2 with
+/// Poisson's ratio 0. A general mesh has one element per pair of triangles that share an edge (Bergou et al.
+/// 2006), for methods whose elements have four particles. The others use vertex_bending().
+/// Precondition: the model has springs and triangles.
 [[nodiscard]] std::vector<BendingElement> linear_bending(const ClothModel& model);
 
 /// Sums the elements up in the model: ClothModel::bending and bending_excess. Precondition: the model has a

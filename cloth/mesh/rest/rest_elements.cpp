@@ -11,7 +11,7 @@ namespace weft {
 
 namespace {
 
-/// Along which a triangle's warp runs, in space.
+/// The direction in space whose projection onto a triangle is its warp.
 Vector3 warp_direction(const ClothModel& model, std::uint32_t triangle, const Vector3& normal) {
     const Triangle& corners = model.triangles[triangle];
     if (model.columns > 0) {
@@ -24,7 +24,7 @@ Vector3 warp_direction(const ClothModel& model, std::uint32_t triangle, const Ve
     return std::abs(normal.y()) < 0.9f ? Vector3::UnitY() : Vector3::UnitX();
 }
 
-/// One side of a triangle, as found there.
+/// One side of a triangle, which begins at `corner`.
 struct TriangleSide {
     std::uint32_t low, high;  ///< particles, low < high
     std::uint32_t triangle, corner;
@@ -74,7 +74,7 @@ RestSide rest_side(const ClothModel& model, std::uint32_t triangle, std::uint32_
 
 /// The fabric's rigidity at a hinge, whose x runs along the first triangle's side: the mean over both.
 Rigidity rigidity_at(const RestSide& a, const RestSide& b, float ratio) {
-    // The second apex is on the other side, and the second side runs back or along.
+    // The second apex is on the other side of the edge. Its side runs against the first one or along it.
     const double turned = a.start == b.end ? 1 : -1;
     const auto about = [&](const Eigen::Vector2d& warp) {
         return rigidity_about(warp, static_cast<double>(ratio));
@@ -83,7 +83,7 @@ Rigidity rigidity_at(const RestSide& a, const RestSide& b, float ratio) {
     return (one * about(a.warp) + other * about({b.warp.x(), turned * b.warp.y()})) / (one + other);
 }
 
-/// Where two triangles are wound against each other the second is seen from behind.
+/// Makes a hinge. If its triangles are wound against each other, the second counts as seen from behind.
 Hinge make_hinge(const ClothModel& model, const RestSide& a, const RestSide& b, double rigidity) {
     const bool agree = a.start == b.end;
     const float b_at_start = agree ? b.cot_end : b.cot_start, b_at_end = agree ? b.cot_start : b.cot_end;
@@ -125,7 +125,7 @@ float coupling_at(const ClothModel& model, std::uint32_t triangle, std::uint32_t
     return static_cast<float>(normal_of(corner).dot(rigidity * normal_of((corner + 2) % 3)));
 }
 
-/// The pairs among one triangle's hinges, given by its sides: side k runs from corner k to the next.
+/// Appends the pairs among one triangle's hinges, given by its sides: side k runs from corner k to the next.
 void append_pairs(const ClothModel& model, std::uint32_t triangle, std::span<const std::uint32_t> of_sides,
                   Bending& bending) {
     for (std::uint32_t k = 0; k < 3; ++k) {

@@ -1,6 +1,5 @@
 #pragma once
-// The rest shape as finite elements see it: triangles in the pattern's axes, and pairs of them that share an
-// edge.
+// The rest shape for finite elements: triangles in the pattern's axes, and pairs of them that share an edge.
 
 #include <array>
 #include <cstdint>
@@ -17,11 +16,12 @@ struct RestSides {
     Eigen::Vector2f to1, to2;
 };
 
-/// In the panel's own axes for a mesh with a pattern. Else the mesh is the rest shape, and warp runs along
-/// the rows of a grid, or upwards in a general mesh, where triangles that lie flat take +X for it.
+/// A triangle's sides. A mesh with a pattern has them in the panel's own axes. Otherwise the mesh is the rest
+/// shape, and warp runs along the rows of a grid, or upwards in a general mesh, or along +X in triangles of
+/// it that lie flat.
 [[nodiscard]] RestSides rest_sides(const ClothModel& model, std::uint32_t triangle);
 
-/// Least height of a triangle over its longest side that bends as stiffly as the fabric.
+/// Least height over longest side at which a triangle bends as stiffly as the fabric.
 constexpr double least_bending_height = 0.02;
 
 /// Factor of a triangle's bending, from 0 to 1: 1 for a sound triangle, and the cube of its height over that
@@ -35,12 +35,12 @@ struct Hinge {
     /// Bergou et al. 2006: |sum_k q_k x_k| is the edge's length times its angle, while that is small. From
     /// each triangle's own panel; sum_k q_k is 0.
     std::array<float, 4> q;
-    std::array<float, 2> feet;  ///< of each apex: how far its foot is from the edge's start, over its height
+    std::array<float, 2> feet;  ///< of each apex: distance of its foot from the edge's start, over its height
     float length;               ///< of the edge, mean of both panels' [m]
     float least_height;         ///< of the two triangles over the edge, about [m]
     float angle;                ///< at rest; 0 on a flat pattern
     float rigidity;             ///< of the fabric across the edge, over that along its warp
-    float weight;               ///< see Bending; of slivers less, by `softening`
+    float weight;               ///< see Bending; includes `rigidity` and `softening`
     float softening;            ///< the lesser sliver_factor of the two triangles
 };
 
@@ -70,7 +70,7 @@ struct Bending {
     static constexpr std::uint32_t no_hinge = ~0u;
 
     std::vector<Hinge> hinges;            ///< in ascending order of their edges
-    std::vector<Rigidity> rigidities;     ///< of hinges, whose x runs along the edge; none where all are 1
+    std::vector<Rigidity> rigidities;     ///< of hinges, with x along the edge; empty: all are 1
     std::vector<HingePair> pairs;         ///< by triangles
     std::vector<std::uint32_t> of_sides;  ///< [3 triangle + side]: its hinge, or no_hinge at a border
 };

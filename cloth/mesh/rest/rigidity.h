@@ -1,5 +1,5 @@
 #pragma once
-// How stiffly woven cloth bends along its warp, along its weft, and in between.
+// The bending rigidity of woven cloth along its warp, along its weft, and in between.
 //
 // An orthotropic plate of curvature K has the energy 1/2 K : D K per area. With the rigidities B along the
 // warp and r B along the weft, and sqrt(r) B for twist, it is the isotropic plate drawn out along the weft by

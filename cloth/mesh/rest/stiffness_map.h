@@ -1,5 +1,5 @@
 #pragma once
-// What Map::stiffness makes of triangles and cells.
+// The factors of Map::stiffness for triangles and cells.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ template <std::size_t corners>
     return sum / static_cast<double>(corners);
 }
 
-/// Of the cell whose near left corner is `near`.
+/// The same for the cell whose near left corner is `near`.
 [[nodiscard]] inline double stiffness_of_cell(const ClothModel& model, std::uint32_t near) {
     return stiffness_at<4>(model, {near, near + 1, near + model.columns, near + model.columns + 1});
 }

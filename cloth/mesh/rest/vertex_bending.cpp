@@ -23,8 +23,8 @@ struct SharedEdge {
     std::array<Tensor, 2> shares{Tensor::Zero(), Tensor::Zero()};  ///< p of each end, in the hinge's frame
     Tensor whole{0, 1, 0};                                         ///< n n^T, of which both have a share
     Tensor f = Tensor::Zero();                                     ///< in the hinge's frame
-    Tensor passed = Tensor::Zero();  ///< from the second end's share to the first's
-    std::uint32_t exchange = none;   ///< at a border, in Plate::exchanges_: what both ends can bear
+    Tensor passed = Tensor::Zero();  ///< moved from the second end's share to the first's
+    std::uint32_t exchange = none;  ///< at a border, in Plate::exchanges_: the projection onto what both bear
 };
 
 /// Distance of two neighbours in the fan, laid flat [m].
@@ -39,14 +39,14 @@ double distance_in(const Fan& fan, const Fan::Polar& one, const Fan::Polar& othe
 /// The c_i of a fan's three elements, in this order: of the particle in its middle, and of those around it.
 using ElementsOfFan = std::vector<Eigen::Vector3d>;
 
-/// Sums up what joins particles.
+/// Sums the terms of pairs of particles.
 class PairSums {
   public:
     explicit PairSums(std::uint32_t particles)
         : begins_(particles + 1), own_(particles), excess_(particles) {}
 
     void add(const Fan& fan, const ElementsOfFan& c);
-    /// Ascending, without those whose terms cancel.
+    /// The pairs, ascending, without those whose terms cancel.
     [[nodiscard]] std::vector<BendingPair> pairs() const;
     [[nodiscard]] std::vector<double>&& excess() { return std::move(excess_); }
 
@@ -54,7 +54,7 @@ class PairSums {
     [[nodiscard]] std::vector<BendingPair> terms_by_first() const;
 
     std::vector<BendingPair> terms_;
-    std::vector<std::uint32_t> begins_;  // how many terms particle i has, at i + 1
+    std::vector<std::uint32_t> begins_;  // number of terms of particle i, at i + 1
     std::vector<double> own_;            // by particle: sum of c_i^2
     std::vector<double> excess_;
 };
@@ -79,7 +79,7 @@ void PairSums::add(const Fan& fan, const ElementsOfFan& c) {
     }
 }
 
-/// In order of i, and of those with one i in the order in which they came.
+/// The terms in order of i, and those of one i in the order in which they were added.
 std::vector<BendingPair> PairSums::terms_by_first() const {
     std::vector<std::uint32_t> next(begins_.size());
     std::partial_sum(begins_.begin(), begins_.end(), next.begin());
@@ -161,10 +161,10 @@ class Plate {
     std::vector<SharedEdge> edges_;
     std::vector<Eigen::Matrix3d> exchanges_;
     std::vector<Fan> fans_;
-    std::vector<Tensors> bearings_;  // of fans: orthonormal, the moments that one can bear
+    std::vector<Tensors> bearings_;  // of fans: orthonormal, the moments that each can bear
 };
 
-/// From here on curvatures are D^1/2 K, and moments D^-1/2 M, by the mean D of the hinges at a fan.
+/// Changes variables: curvatures become D^1/2 K, and moments D^-1/2 M, by the mean D of the hinges at a fan.
 void Plate::weight_by_rigidity() {
     const auto root_of = [](const Rigidity& d) {
         return Eigen::SelfAdjointEigenSolver<Rigidity>(d).operatorSqrt();
@@ -198,7 +198,7 @@ void Plate::find_bearings() {
     }
 }
 
-/// Each edge's n n^T by halves, but where one end cannot bear its half, by what the other can.
+/// Shares each edge's n n^T by halves. The part that one end cannot bear goes to the other, if that can.
 void Plate::share_out() {
     for (SharedEdge& edge : edges_) {
         const Tensor& whole = edge.whole;
@@ -229,8 +229,8 @@ void Plate::share_out() {
     }
 }
 
-/// The twist of a fan is the antisymmetric part that its A gains if each edge passes so much from one end to
-/// the other. It is the sum of f x p, which turns as tensors do.
+/// The twist of a fan is the antisymmetric part that its A gains if each edge moves `passed` from the second
+/// end to the first. It is the sum of f x p, which turns as tensors do.
 Plate::Axes Plate::twist_of(const std::vector<Tensor>& passed) const {
     Axes axes(fans_.size(), Eigen::Vector3d::Zero());
     for (std::size_t h = 0; h < edges_.size(); ++h) {
@@ -279,7 +279,7 @@ void Plate::balance() {
     }
     std::vector<Tensor> slope = pull_back(left), direction = slope;
     double size = squares_of(slope);
-    // Where nothing but rounding is left, directions would be noise. All of this has no unit.
+    // When only rounding is left, directions would be noise. These numbers have no unit.
     const double least = std::max(1e-12 * size, 1e-24 * static_cast<double>(edges_.size()));
     for (int k = 0; k < iterations && size > least; ++k) {
         const Axes changed = twist_of(direction);
@@ -299,10 +299,10 @@ void Plate::balance() {
     }
 }
 
-/// The c_i of up to three elements, and how many these are; those of others are 0.
+/// Finds the c_i of a fan's up to three elements and returns how many there are; those of others are 0.
 std::uint32_t Plate::find_elements(std::size_t of, ElementsOfFan& c) const {
     const Fan& fan = fans_[of];
-    constexpr double least = 0.05;  // eigenvalue of A, of the fan's area: else its inverse is too stiff
+    constexpr double least = 0.05;  // eigenvalue of A over the fan's area: with less its inverse is too stiff
     c.assign(fan.around.size() + 1, Eigen::Vector3d::Zero());
     const Eigen::Matrix3d bears = bearings_[of] * bearings_[of].transpose();
     Eigen::Matrix3d a = Eigen::Matrix3d::Zero();

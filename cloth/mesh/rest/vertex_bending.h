@@ -8,10 +8,10 @@
 //
 //     E_v = 1/2 B |A_v^-1/2 sum_e p_e phi_e|^2,   A_v = sum_e f_e p_e^T,
 //
-// phi_e being the hinge's sum_k q_k x_k and f_e : K what that is on a sheet of curvature K; tensors are
-// vectors (xx, yy, sqrt 2 xy). If A_v is symmetric, a sheet of any constant curvature has the plate's energy
-// and no force inside. Halves are not; what the ends of edges have to exchange for it is found here. E_v is
-// up to three squares |sum_i c_i x_i|^2 over the vertex and its neighbours.
+// phi_e being the hinge's sum_k q_k x_k and f_e : K its value on a sheet of curvature K; tensors are vectors
+// (xx, yy, sqrt 2 xy). If A_v is symmetric, a sheet of any constant curvature has the plate's energy and no
+// force inside. Equal halves do not make A_v symmetric. The exchange between the ends of edges that does
+// is found here. E_v is up to three squares |sum_i c_i x_i|^2 over the vertex and its neighbours.
 //
 // Cloth whose rigidity B D is not the same in all directions is reduced to this by taking D^1/2 K for the
 // curvature and D^-1/2 M for the moment: n n^T and f then stand for D^1/2 n n^T and D^-1/2 f.
@@ -27,7 +27,7 @@ namespace weft {
 struct BendingPair {
     std::uint32_t i, j;
     double weight;
-    double length;  ///< how far they are from one another where the cloth lies flat [m]
+    double length;  ///< their distance where the cloth lies flat [m]
 };
 struct VertexBending {
     std::vector<BendingPair> pairs;  ///< ascending, each once

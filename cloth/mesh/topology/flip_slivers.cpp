@@ -49,7 +49,7 @@ std::array<double, 3> squared_sides(const Mesh& mesh, const Triangle& vertices) 
     return squares;
 }
 
-/// A low triangle is lower than a sound one.
+/// Whether a triangle is lower than a sound one.
 bool is_low(const Mesh& mesh, const Triangle& vertices) {
     const double longest = std::ranges::max(squared_sides(mesh, vertices));
     return normal_of(mesh, vertices).norm() < least_sound_height * longest;
@@ -60,7 +60,7 @@ Triangle particles_of(const Topology& topology, const Triangle& vertices) {
             topology.vertex_to_particle[vertices[2]]};
 }
 
-/// Triangles without area, which were left out, for whose sides there is room, by their numbers in the mesh.
+/// Numbers in the mesh of triangles without area that were left out and for whose sides edges have room.
 std::vector<std::uint32_t> flat_triangles(const Mesh& mesh, const Topology& topology) {
     std::map<std::array<std::uint32_t, 2>, std::uint32_t> at_edge;
     const auto edge_of = [](const Triangle& particles, std::size_t k) -> std::array<std::uint32_t, 2> {
@@ -147,7 +147,7 @@ class Flips {
         if (is_sliver(t)) waiting_.push_back(t);
     }
 
-    /// Drops triangles that no flip gave an area; the others are in the mesh's order then.
+    /// Drops triangles that no flip gave an area. Sorts the others in the mesh's order.
     void leave_out_flat() {
         std::vector<std::uint32_t> kept;
         for (std::uint32_t t = 0; t < topology_.triangles.size(); ++t)
@@ -203,7 +203,7 @@ class Flips {
         return quad;
     }
 
-    /// The two triangles once the edge (a, b) of (a, b, c) and (b, a, d) runs from d to c.
+    /// The two triangles after the edge (a, b) of (a, b, c) and (b, a, d) is flipped to run from d to c.
     [[nodiscard]] static std::array<Triangle, 2> turned(const std::vector<Triangle>& triangles,
                                                         const Quad& quad) {
         const Triangle &one = triangles[quad.one], &other = triangles[quad.other];

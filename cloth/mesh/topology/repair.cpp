@@ -32,7 +32,7 @@ bool are_simple(std::span<const Side> sides, std::span<const std::uint32_t> coun
 void keep_what_finds_room(std::span<const Side> sides, Topology& topology) {
     const std::size_t count = topology.triangles.size();
     std::vector<std::uint32_t> edge_of_side(3 * count), at_edge, at_particle(topology.particle_count());
-    std::vector<std::array<std::uint32_t, 2>> opposites;  // of each edge, of the triangles that it has
+    std::vector<std::array<std::uint32_t, 2>> opposites;  // of each edge, in its kept triangles
     std::vector<std::uint32_t> sides_found(count);
     for (std::size_t begin = 0; begin < sides.size();) {
         const std::span<const Side> same = sides_of_edge(sides, begin);
@@ -43,8 +43,8 @@ void keep_what_finds_room(std::span<const Side> sides, Topology& topology) {
         at_edge.push_back(0);
         opposites.push_back({Edge::none, Edge::none});
     }
-    // Sides ascend by their particles: a triangle's first is opposite its highest particle, its last its
-    // lowest.
+    // Sides ascend by their particles: a triangle's first side is opposite its highest particle, its last
+    // side opposite its lowest.
     const auto reason_against = [&](std::uint32_t t) -> std::optional<DropReason> {
         const Triangle& particles = topology.triangles[t];
         const std::uint32_t first = edge_of_side[3 * t], highest = std::ranges::max(particles);
@@ -89,7 +89,7 @@ bool is_misoriented(const Topology& topology, const Edge& edge) {
                                     ascends(topology.triangles[edge.triangles[1]], edge);
 }
 
-/// The triangles that edges join to each.
+/// The edges of each triangle.
 std::vector<std::array<std::uint32_t, 3>> edges_of_triangles(const Topology& topology) {
     constexpr std::uint32_t none = Edge::none;
     std::vector<std::array<std::uint32_t, 3>> edges(topology.triangles.size(), {none, none, none});
@@ -99,10 +99,10 @@ std::vector<std::array<std::uint32_t, 3>> edges_of_triangles(const Topology& top
     return edges;
 }
 
-/// An edge of one triangle, by where it lies. `lower` and `higher` are its vertices at these places.
+/// An edge of one triangle, by its places: numbers of positions, see weld().
 struct OpenEdge {
-    std::uint32_t low, high;                ///< places, low < high
-    std::uint32_t lower, higher, opposite;  ///< vertices; the last is the triangle's third
+    std::uint32_t low, high;                ///< of the edge, low < high
+    std::uint32_t lower, higher, opposite;  ///< vertices at `low`, at `high`, and the triangle's third
     bool ascends;                           ///< the triangle runs along it from low to high
     bool is_matched;
 };
@@ -111,8 +111,8 @@ bool has_three_places(const Triangle& t, std::span<const std::uint32_t> places) 
     return places[t[0]] != places[t[1]] && places[t[1]] != places[t[2]] && places[t[2]] != places[t[0]];
 }
 
-/// Open edges that lie at one place follow one another, by triangles. A triangle with two corners at one
-/// place has no edges: what it joins is joined by that place.
+/// The open edges of a mesh. Those at the same places follow one another, by triangles. A triangle with two
+/// corners at one place has no edges: those beside it then lie at the same places.
 std::vector<OpenEdge> open_edges(const Mesh& mesh, std::span<const std::uint32_t> places) {
     std::vector<Triangle> triangles;
     for (const Triangle& t : mesh.triangles)
@@ -164,13 +164,13 @@ bool lie_on_each_other(const Mesh& mesh, const OpenEdge& a, const OpenEdge& b) {
     return normal.dot(other) > 0 && normal.cross(other).norm() < 1e-3 * normal.norm() * other.norm();
 }
 
-/// A pattern has two places for what a seam joins, however the panels lie.
+/// Whether two edges at one place are a seam. In a pattern they always are, however the panels lie.
 bool is_seam(const Mesh& mesh, const OpenEdge& a, const OpenEdge& b) {
     return !mesh.pattern.empty() || !lie_on_each_other(mesh, a, b);
 }
 
-/// Each edge with the first of the later ones at its place that is free: one that runs the other way, as
-/// across a seam of one surface, before one that runs alike, as where parts are wound against each other.
+/// Joins each edge with the first later edge at its place that is free. Edges that run the other way, as
+/// across a seam of one surface, come before those that run alike, as between parts wound against each other.
 void join_matching(const Mesh& mesh, std::span<OpenEdge> same, VertexSets& sets) {
     for (const bool runs_alike : {false, true}) {
         for (std::size_t k = 0; k < same.size(); ++k) {

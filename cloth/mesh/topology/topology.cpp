@@ -127,7 +127,7 @@ Result<void> check_welds(const Mesh& mesh) {
     return {};
 }
 
-/// One number per vertex: as Mesh::welds says, or see weld_open_edges().
+/// The particle of each vertex: by Mesh::welds, or by weld_open_edges() where that is empty.
 std::vector<std::uint32_t> particles_of(const Mesh& mesh) {
     if (mesh.welds.empty()) return weld_open_edges(mesh);
     std::vector<std::uint32_t> numbers(mesh.welds.size());

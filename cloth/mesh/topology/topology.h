@@ -1,7 +1,7 @@
 #pragma once
-// From the vertices and faces of a mesh to particles, triangles, edges and components. The only measure taken
-// is the rest area of a face: those without are left out, and where two sides are wound against each other
-// the smaller one is turned; slivers are flipped away.
+// The topology of a mesh: particles, triangles, edges and components. Its only measure is rest area:
+// triangles without area are left out, and where two parts are wound against each other the smaller one is
+// turned. Slivers are flipped away.
 
 #include <array>
 #include <cstdint>
@@ -59,24 +59,24 @@ struct Topology {
     }
 };
 
-/// Leaves out, turns and flips triangles as CookReport says. Error: see check_mesh; or no triangle that has
-/// an area.
+/// Builds the topology. Leaves out, turns and flips triangles as CookReport says. Error: see check_mesh; or
+/// no triangle that has an area.
 [[nodiscard]] Result<Topology> build_topology(const Mesh& mesh);
 
 /// Finds the edges of the present triangles. Precondition: no edge has more than two.
 void build_edges(Topology& topology);
 
-/// A triangle has an area unless it is so low or so small that it counts as none.
+/// Whether a triangle has an area: it is neither lower than least_relative_height nor below least_area.
 [[nodiscard]] bool has_area(const Mesh& mesh, const Triangle& vertices);
 
 /// Finds the components of the present edges and particles.
 void build_components(Topology& topology);
 
-/// Error, which names the element and its value: coordinates that are not finite or too large, an index out
-/// of range, no triangles, arrays whose sizes do not fit each other.
+/// Checks a mesh. Error, which names the element and its value: coordinates that are not finite or too large,
+/// an index out of range, no triangles, arrays whose sizes do not fit each other.
 [[nodiscard]] Result<void> check_mesh(const Mesh& mesh);
 
-/// Where a vertex lies in the rest shape [m]: in the pattern's plane, or in space for a mesh without a
+/// The position of a vertex in the rest shape [m]: in the pattern's plane, or in space for a mesh without a
 /// pattern.
 [[nodiscard]] Eigen::Vector3d rest_point(const Mesh& mesh, std::uint32_t vertex);
 

@@ -15,8 +15,8 @@ bool SymplecticEulerSolver::serves(const ClothSettings& settings) const {
     return std::holds_alternative<SymplecticEuler>(settings.method) && kind_ == SystemKind(settings);
 }
 
-// A system's residual is gamma f(x_base + gamma v, v) about v_base: with so small a gamma that x + gamma v
-// rounds to x, it is gamma times the force here and now. A power of two costs no digit.
+// A system's residual is gamma f(x_base + gamma v, v) about v_base: where gamma is so small that x + gamma v
+// rounds to x, it is gamma times the present force. A gamma that is a power of two costs no digit.
 SolveResult SymplecticEulerSolver::solve(const SolverStep& step) {
     constexpr float instant = 0x1p-40f;  // [s]; 1e-10 m at 100 m/s
     const StepEquation& equation = step.equation;

@@ -1,5 +1,5 @@
 #pragma once
-// The explicit baseline.
+// Symplectic Euler, the explicit baseline.
 
 #include <memory>
 

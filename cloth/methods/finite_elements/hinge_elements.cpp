@@ -10,8 +10,8 @@ namespace weft {
 
 namespace {
 
-/// The same turn by less than one half: a hinge whose rest is near a half turn from flat bends about it to
-/// both sides, though its angle jumps by a whole turn there. Precondition: less than a turn and a half.
+/// The angle to within half a turn of 0: near a rest angle of half a turn a hinge bends to both sides,
+/// although its angle jumps there by a whole turn. Precondition: |angle| is below one and a half turns.
 float nearest_turn(float angle) {
     constexpr float pi = std::numbers::pi_v<float>;
     if (angle > pi) return angle - 2 * pi;
@@ -79,7 +79,7 @@ void HingeElements::compute(Parallel& parallel, const HingePass& pass) {
 }
 
 void HingeElements::bend(const HingePass& pass, std::uint32_t h) {
-    // Heights below this part of those at rest count as it: a collapsed triangle has no normal to turn about.
+    // The least height over that at rest: lower ones count as this, as a collapsed triangle has no normal.
     constexpr float least_part = 0.05f;
     const Hinge& hinge = hinges_[h];
     std::array<Vector3, 4> x;

@@ -1,5 +1,5 @@
 #pragma once
-// All hinges of a cloth as dihedral bending elements, and which particles gather what of them.
+// All hinges of a cloth as dihedral bending elements, and the corners that each particle gathers from.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace weft {
 
-/// What is asked of the hinges.
+/// Input of HingeElements::compute().
 struct HingePass {
     float rigidity;  ///< [N m]
     std::span<const Vec4> positions;
@@ -42,13 +42,13 @@ class HingeElements {
     [[nodiscard]] Vector3 gradient(std::uint32_t hinge, std::uint32_t corner) const noexcept {
         return xyz(results_[4 * std::size_t{hinge} + corner]);
     }
-    /// Of the force along the gradient [N m].
+    /// The moment of a hinge: the force on a corner is the moment times the gradient [N m].
     [[nodiscard]] float moment(std::uint32_t hinge) const noexcept {
         return results_[4 * std::size_t{hinge}].w;
     }
     /// The factor of g g^T, for the gradient g of the angle, in the Hessian [N m]. Second derivatives of
-    /// angles are left out (Gauss and Newton). What pairs of hinges add is given to the two hinges, which
-    /// bounds it from above, since 2 phi_e phi_f <= phi_e^2 + phi_f^2.
+    /// angles are left out (Gauss and Newton). The coupling of two hinges is added to both, which bounds it
+    /// from above: 2 phi_e phi_f <= phi_e^2 + phi_f^2.
     [[nodiscard]] float stiffness(std::uint32_t hinge) const noexcept {
         return results_[4 * std::size_t{hinge} + 1].w;
     }

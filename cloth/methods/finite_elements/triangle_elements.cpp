@@ -78,7 +78,7 @@ void compute(TriangleElements& elements, const BlockRange& range, const Triangle
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(compute);

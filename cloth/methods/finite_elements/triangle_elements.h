@@ -1,6 +1,6 @@
 #pragma once
-// All triangles of a cloth as finite elements: forces and stiffness of each into its own memory, with the
-// widest vectors that the machine has. Particles gather them from there.
+// All triangles of a cloth as finite elements. Each writes its forces and stiffness to its own memory, with
+// the widest vectors that the machine has; particles gather from there.
 
 #include <array>
 #include <cstdint>
@@ -28,7 +28,7 @@ struct TriangleElements {
     std::array<SharedBuffer<float>, 5> rest;             ///< the members of RestTriangle, in its order
     ScratchArray<Vec4> results;                          ///< per group 16 of each row; last a group of zeros
 
-    /// Where the first row of a side is in the results; the others follow, every 16.
+    /// Index of a side's first row in the results; its other rows follow, every 16.
     [[nodiscard]] static std::uint32_t side(std::uint32_t triangle, std::uint32_t corner) noexcept {
         return (triangle / Stencil::lanes * rows + corner * rows_per_side) * Stencil::lanes +
                triangle % Stencil::lanes;
@@ -49,13 +49,13 @@ struct MembraneModuli {
 };
 [[nodiscard]] MembraneModuli membrane_moduli(const Fabric& fabric, float poisson);
 
-/// What is asked of the triangles of one block.
+/// Input of compute_triangles() for one block.
 struct TrianglePass {
     MembraneModuli moduli;
     const Vec4* positions;
     const Vec4* velocities;  ///< null: no viscous stress
     float viscosity;         ///< viscous stress is this [s] times the moduli, times the strain's rate
-    bool stiffness;          ///< blocks too, as elastic x Hessian + viscous x what of it is not geometric
+    bool stiffness;          ///< blocks too: elastic x Hessian + viscous x its part that is not geometric
     float elastic, viscous;
 };
 

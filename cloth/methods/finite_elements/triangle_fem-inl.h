@@ -8,7 +8,7 @@
 //
 //     psi = mu sum_i (s_i - 1)^2 + lambda/2 (s_1 + s_2 + s_3 - 3)^2
 //
-// does not change through it, and all that dn/dq contributes to gradient and Hessian is that it keeps it so.
+// does not depend on it, and dn/dq affects gradient and Hessian only by keeping it 1.
 // What is left is F = [f1 f2], two columns in space, and its polar decomposition F = R S: R = [r1 r2] has
 // orthonormal columns and S, symmetric 2x2 in the pattern's axes, has s_1 and s_2 as eigenvalues. In terms of
 // the strain E = S - I
@@ -51,7 +51,7 @@ struct Planar {
     Real xx, yy, xy;
 };
 
-/// dF/dX of anything that has a value at the three corners: of positions F itself, of velocities its rate.
+/// d/dX of a quantity given at the three corners: F for positions, the rate of F for velocities.
 template <class Real>
 struct Gradient {
     Point<Real> f1, f2;
@@ -129,8 +129,8 @@ HWY_INLINE Planar<Real> strain_rate(const Polar<Real>& p, const Gradient<Real>& 
     return {dot(p.r1, rate.f1) + w * p.s.xy, dot(p.r2, rate.f2) - w * p.s.xy, a12 + w * p.s.yy};
 }
 
-/// tau in dpsi/dF = R (sigma + tau J): what stress whose axes are not those of stretch does to the turning of
-/// R. It is 0 for isotropic cloth.
+/// tau in dpsi/dF = R (sigma + tau J): the torque on R of a stress whose axes are not those of stretch. It is
+/// 0 for isotropic cloth.
 template <class Real>
 HWY_INLINE Real twist(const Polar<Real>& p, const Planar<Real>& sigma) {
     return ((sigma.xx - sigma.yy) * p.s.xy - sigma.xy * (p.s.xx - p.s.yy)) / p.trace;
@@ -152,14 +152,14 @@ HWY_INLINE CornerForces<Real> forces(const RestTriangle<Real>& rest, const Polar
     return {rest.x1 * p1 + rest.y1 * p2, rest.x2 * p1 + rest.y2 * p2};
 }
 
-/// A symmetric matrix nearest to which no eigenvalue is negative.
+/// The nearest symmetric matrix without a negative eigenvalue.
 template <class Real>
 HWY_INLINE Planar<Real> positive_part(const Planar<Real>& m) {
     const Real zero = splat<Real>(0), half = splat<Real>(0.5f);
     const Real mean = half * (m.xx + m.yy), difference = half * (m.xx - m.yy);
     const Real radius = square_root(difference * difference + m.xy * m.xy);
     const Real low = mean - radius, high = largest(mean + radius, zero);
-    // Where one eigenvalue is negative: the other one's projector (M - low I) / (high - low), times it.
+    // Where one eigenvalue is negative: the other one, times its projector (M - low I) / (high - low).
     const Real part = high / largest(radius + radius, splat<Real>(1e-30f));
     const Real scale = where_less(low, zero, part, splat<Real>(1));
     const Real shift = where_less(low, zero, low, zero);
@@ -185,7 +185,7 @@ struct SecondDerivative {
     Real h;
 };
 
-/// In the plane `elastic` times the exact one, to which `viscous` times C is added.
+/// `elastic` times the second derivative of psi, plus `viscous` times C in the plane.
 template <class Real>
 HWY_INLINE SecondDerivative<Real> second_derivative(const Elasticity<Real>& c, const Polar<Real>& p,
                                                     const Planar<Real>& sigma, Real elastic, Real viscous) {
@@ -237,7 +237,7 @@ struct PlaneBlock {
     }
 };
 
-/// How the strain answers to corner k, whose dphi_k/dX is (x, y).
+/// The strain's response to corner k, whose dphi_k/dX is (x, y).
 template <class Real>
 struct CornerResponse {
     Real x, y;

@@ -30,7 +30,7 @@ HWY_INLINE Lanes3 scalar_product(const TriangleMatrix& matrix, std::uint32_t i, 
 
 }  // namespace
 
-// Found by the loops through their vectors' namespace, so not in the file's own.
+// The row loops find these by argument-dependent lookup, so they are not in the anonymous namespace.
 /// (W x)_i for the lanes from particle `i` on.
 HWY_INLINE Lanes3 row_product(const TriangleMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
                               const Lanes3& x_i) {
@@ -89,7 +89,7 @@ void precondition(const TriangleMatrix& matrix, const BlockRange& range, const V
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(multiply);

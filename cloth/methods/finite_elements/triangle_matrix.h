@@ -32,7 +32,7 @@ struct TriangleMatrix {
     }
 };
 
-/// These do what ImplicitSystem's functions of the same name do, for one block, and return its shares.
+/// ImplicitSystem's functions of the same names, for one block. They return its shares.
 Products multiply_block(const TriangleMatrix& matrix, const BlockRange& range, const DottedWith& with,
                         const Vec4* x, Vec4* product);
 void subtract_product_block(const TriangleMatrix& matrix, const BlockRange& range, const Vec4* b,

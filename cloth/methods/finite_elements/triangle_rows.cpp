@@ -59,8 +59,8 @@ HWY_INLINE void store_block(const BlockLanes& block, float* slot) {
     row(block.z, slot + 6 * next);
 }
 
-/// Of the sides that end or begin at the particles of `entry` and the next lanes: the block, unless `block`
-/// is null, and the force, which is added.
+/// Adds the block, unless `block` is null, and the force of the sides that end or begin at the particles of
+/// `entry` and the next lanes.
 HWY_INLINE void add_side(const TriangleState& state, const TriangleSources::Source& source,
                          std::uint32_t entry, BlockLanes* block, Lanes3& force) {
     const Vec4* const rows = state.elements.results.data();
@@ -73,7 +73,7 @@ HWY_INLINE void add_side(const TriangleState& state, const TriangleSources::Sour
     force = force + keep_where(along, gather_rows(rows + 3 * Stencil::lanes, sides));
 }
 
-/// sum_j a_ij (position_factor (x_j - x_i) + velocity_factor (v_j - v_i)), a of quadratic bending.
+/// sum_j a_ij (position_factor (x_j - x_i) + velocity_factor (v_j - v_i)), with a of quadratic bending.
 HWY_INLINE Lanes3 bending_impulse(const TriangleState& state, const TriangleMatrix& matrix, std::uint32_t i,
                                   float position_factor, float velocity_factor) {
     const Stencil& stencil = matrix.scalar_stencil;
@@ -91,7 +91,7 @@ HWY_INLINE Lanes3 bending_impulse(const TriangleState& state, const TriangleMatr
 }
 
 // Elements of p particles have K_e <= p diag(K_e), p = 3 for triangles, 6 for the hinges of a triangle
-// together: half of these is what relaxation divides by.
+// together: relaxation's diagonal is half of that bound.
 constexpr float membrane_part = 1.5f, quadratic_part = 3.0f;
 
 void linearise(const TriangleState& state, LinearisedAbout about, const BlockRange& range,
@@ -168,7 +168,7 @@ void residual(const TriangleState& state, const BlockRange& range, const Triangl
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(linearise);

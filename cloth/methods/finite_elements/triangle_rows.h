@@ -1,6 +1,6 @@
 #pragma once
-// From elements to rows: what each particle gathers of its triangles, a block of particles at a time, with
-// the widest vectors that the machine has.
+// The matrix's rows from elements: each particle gathers from its triangles, a block of particles at a time,
+// with the widest vectors that the machine has.
 
 #include <array>
 #include <cstdint>
@@ -14,9 +14,9 @@
 
 namespace weft {
 
-/// Where the rows of an edge (i, j) come from: it has a side in one or two triangles, and block (i, j) is
-/// their sum. A side that runs from i to j has its block and the force on i; one that runs from j to i has
-/// the transposed block.
+/// The sources of an edge's blocks: edge (i, j) is a side of one or two triangles, and block (i, j) is their
+/// sum. A side that runs from i to j gives its block and the force on i; one that runs from j to i gives the
+/// transposed block.
 struct TriangleSources {
     TriangleSources(const ClothModel& model, const TriangleElements& elements, const Stencil& stencil,
                     const ElementRows& rows);
@@ -34,26 +34,26 @@ struct TriangleSources {
     [[nodiscard]] std::size_t bytes() const noexcept;
 };
 
-/// What consistent mass and dihedral bending add to the rows of elements; empty without both.
+/// Terms of consistent mass and dihedral bending in the rows of elements; empty without both.
 struct RowAdditions {
-    AlignedBuffer<Vec4> impulses;    ///< to b [kg m/s]
-    AlignedBuffer<float> diagonals;  ///< to what relaxation divides by: per group 16 xx, yy, zz, xy, xz, yz
+    AlignedBuffer<Vec4> impulses;    ///< added to b [kg m/s]
+    AlignedBuffer<float> diagonals;  ///< added to relaxation's diagonal: per group 16 xx, yy, zz, xy, xz, yz
 
     [[nodiscard]] std::size_t bytes() const noexcept { return impulses.bytes() + diagonals.bytes(); }
 };
 
-/// The elements' results, and the state of the cloth that they are of. Vectors as in ImplicitSystem.
+/// The elements' results, and the state of the cloth that they belong to. Vectors as in ImplicitSystem.
 struct TriangleState {
     const StepEquation& equation;
     const TriangleElements& elements;
     const TriangleSources& sources;
-    const RowAdditions& additions;    ///< with them, blocks are added to those in the matrix
+    const RowAdditions& additions;    ///< if not empty, blocks are added to those in the matrix
     std::span<const Vec4> positions;  ///< w inverse mass
     std::span<const Vec4> velocities;
     std::span<const float> quadratic;  ///< the diagonal of quadratic bending of rigidity 1 [1/m^2], or empty
 };
 
-/// The rows of W and b of one block; see ImplicitSystem::linearise.
+/// Makes the rows of W and b of one block; see ImplicitSystem::linearise.
 void linearise_block(const TriangleState& state, LinearisedAbout about, const BlockRange& range,
                      TriangleMatrix& matrix, Vec4* right_side);
 void residual_block(const TriangleState& state, const BlockRange& range, const TriangleMatrix& matrix,

@@ -25,7 +25,7 @@ InMatrix<const RowMajor3> block_at(const TriangleMatrix& matrix, std::uint32_t e
     return InMatrix<const RowMajor3>(&matrix.blocks[lane_index(entry, 0, block_floats)]);
 }
 
-/// What the Hessian of bending, all of which is damped, is multiplied by in W [s^2].
+/// The factor of bending's Hessian in W [s^2]. All of bending is damped.
 float bending_factor(const StepEquation& equation) {
     return equation.gamma * (equation.gamma + equation.settings.fabric.damping);
 }
@@ -163,15 +163,15 @@ void TriangleSystem::add_bending(const StepEquation& equation, std::uint32_t i, 
     }
     additions_.impulses[i] = to_vec4(equation.gamma * force, 0);
     if (!linearised) return;
-    // Half of what bounds an element of four particles: see TriangleSystem.
+    // Half of the bound 4 diag(K_e) of an element of four particles: see TriangleSystem.
     const Matrix3 d = 2.0f * own_block;
     const float values[] = {d(0, 0), d(1, 1), d(2, 2), d(0, 1), d(0, 2), d(1, 2)};
     for (std::uint32_t k = 0; k < 6; ++k) additions_.diagonals[lane_index(i, k, 6)] = values[k];
 }
 
-// The mass matrix of a triangle has a twelfth of its mass for each two corners, and as much less on the
-// diagonal than the lumped one that rows sum to the same. About the base M (v_base - v) is 0, and what the
-// block adds to gamma J v is taken back.
+// A triangle's consistent mass matrix has a twelfth of its mass for each two corners, and less on the
+// diagonal than the lumped matrix, so that rows sum to the same. About the base M (v_base - v) is 0, and the
+// impulse cancels the block's part in gamma J v.
 void TriangleSystem::add_consistent_mass(const StepEquation& equation, std::span<const Vec4> velocities,
                                          std::uint32_t i, bool linearised, LinearisedAbout about) {
     const float base_part = about == LinearisedAbout::base ? 0.0f : 1.0f;
@@ -255,8 +255,7 @@ void TriangleSystem::relax_rows(const BlockRange& range, const Vec4* b, const Ve
 }
 
 // A block with the eigenvalue b along the edge n and on average a across it is nearest to a I + (b - a) n
-// n^T, if b >= a
-// >= 0. Otherwise what is positive of it resists in all directions alike.
+// n^T, if b >= a >= 0. Otherwise the positive part of its trace resists in all directions alike.
 void TriangleSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                    std::span<Vec4> blocks) {
     const Stencil& stencil = matrix_.stencil;
@@ -270,8 +269,7 @@ void TriangleSystem::spring_blocks(Parallel& parallel, std::span<const std::uint
             const float trace = std::max(block.trace(), 0.0f);
             const float along = std::clamp(n.dot(block * n), trace / 3, trace);
             const float across = 0.5f * (trace - along);
-            const float beyond =
-                std::max(along - across, 0.0f);  // a rounding below 0 where along is trace / 3
+            const float beyond = std::max(along - across, 0.0f);  // rounding, where along is trace / 3
             blocks[k] = to_vec4(std::sqrt(beyond) * n, across);
         }
     });

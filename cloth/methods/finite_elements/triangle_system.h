@@ -53,17 +53,17 @@ class TriangleSystem final : public ImplicitSystem {
     void store_quadratic_bending(const Bending& bending);
     void store_dihedral_bending(const Bending& bending, const ElementRows& rows);
 
-    /// Where the elements are: x_base, or x_base + gamma v.
+    /// Sets the elements' positions to x_base, or to x_base + gamma v.
     void place(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                LinearisedAbout about);
-    /// Fills the elements' results. Stiffness: linearised; else forces alone, viscous ones among them.
+    /// Fills the elements' results: forces, with the viscous ones if `viscous`, and blocks if `stiffness`.
     void compute_elements(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                           bool viscous, bool stiffness);
     [[nodiscard]] TriangleState state_at(const StepEquation& equation,
                                          std::span<const Vec4> velocities) const;
 
-    /// Dihedral bending and a consistent mass matrix, where the cloth has them: fills the additions and, when
-    /// linearised, adds to the blocks.
+    /// Fills the additions with dihedral bending and consistent mass, where the cloth has them; when
+    /// linearised, adds these to the blocks, too.
     void make_additions(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                         bool linearised, LinearisedAbout about);
     void add_bending(const StepEquation& equation, std::uint32_t i, bool linearised);
@@ -77,7 +77,7 @@ class TriangleSystem final : public ImplicitSystem {
     RowAdditions additions_;
     SharedBuffer<float> quadratic_;        // see TriangleState
     std::optional<HingeElements> hinges_;  // only with dihedral bending
-    ScratchArray<Vec4> positions_;         // that the last linearise or residual was about
+    ScratchArray<Vec4> positions_;         // of the last linearise() or residual()
 };
 
 }  // namespace weft

@@ -48,7 +48,7 @@ void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations,
     const std::span<const Vec4> b = system.right_side().span();
     ChebyshevSteps steps(interval);
     std::span<Vec4> present = dv, next = scratch;
-    if (iterations % 2 == 1) std::swap(present, next);  // the last iterate comes to lie in dv
+    if (iterations % 2 == 1) std::swap(present, next);  // so that the last iterate is in dv
     system.precondition(parallel, b, steps.first(), present);
     clear(parallel, next);
     for (int k = 0; k < iterations; ++k) {

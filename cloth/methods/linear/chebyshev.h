@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// An interval that eigenvalues of D^-1 W are taken to lie in.
+/// The interval in which eigenvalues of D^-1 W are assumed to lie.
 struct Spectrum {
     double least, largest;
 };
@@ -22,7 +22,7 @@ inline constexpr double largest_eigenvalue = 2;
 /// Why fourfold: the iteration may turn the sign of what it leaves of an error, and time steps feed a stiff
 /// mode of which too much is left with the other sign. With a part p of the error left, backward Euler's step
 /// of a stiff mode is x += h v, v += (1 - p)(-v - x / h). Its eigenvalues are p +- sqrt(p (p - 1)), which
-/// leave the unit circle at p = -1/3. Modes below the interval are solved less, as Jacobi leaves them, too.
+/// leave the unit circle at p = -1/3. Modes below the interval are solved less, as by Jacobi's iteration.
 [[nodiscard]] Spectrum chebyshev_interval(int iterations, double least);
 
 /// Estimate of the least eigenvalue of D^-1 W: the Rayleigh quotient of a translation within the cloth's
@@ -46,8 +46,8 @@ class ChebyshevSteps {
     double ratio_ = 0;  // T_k-1 / T_k at centre / half_width, after k steps
 };
 
-/// Leaves in dv the iterate after `iterations` steps from the first one. Of the error of dv = 0 it keeps, in
-/// an eigenvector of eigenvalue lambda, the part T_n((c - lambda) / w) / T_n(c / w), n = iterations + 1,
+/// Leaves in dv the iterate after `iterations` steps from the first one. In an eigenvector of eigenvalue
+/// lambda, this part of the error of dv = 0 is left: T_n((c - lambda) / w) / T_n(c / w), n = iterations + 1,
 /// where c and w are the interval's centre and half width. Precondition: iterations >= 1.
 void solve_chebyshev(Parallel& parallel, ImplicitSystem& system, int iterations, Spectrum interval,
                      std::span<Vec4> scratch, std::span<Vec4> dv);

@@ -50,8 +50,8 @@ struct CgResult {
 /// Conjugate gradients (Hestenes and Stiefel 1952) from 0 on W dv = b: the solution is added to dv.
 /// precondition(r, z) writes z = P r from r, whose w may be anything. P is symmetric, positive definite on
 /// the free particles and 0 on the pinned ones, whose directions therefore stay 0 (the filter of Baraff and
-/// Witkin 1998). Each iteration multiplies once and preconditions once. The loop ends early where single
-/// precision has nothing left to find, and gives up at what is not finite.
+/// Witkin 1998). Each iteration multiplies once and preconditions once. The loop ends early when r . z is
+/// down to rounding, and gives up at values that are not finite.
 template <class Precondition>
 CgResult conjugate_gradients(Parallel& parallel, ImplicitSystem& system, int iterations,
                              const Precondition& precondition, CgVectors& vectors, std::span<Vec4> dv) {

@@ -10,7 +10,7 @@ void solve_jacobi(Parallel& parallel, ImplicitSystem& system, int iterations, st
                   std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
     std::span<Vec4> present = dv, next = scratch;
-    if (iterations % 2 == 1) std::swap(present, next);  // the last iterate comes to lie in dv
+    if (iterations % 2 == 1) std::swap(present, next);  // so that the last iterate is in dv
     system.precondition(parallel, b, 1.0f, present);
     for (int k = 0; k < iterations; ++k) {
         system.relax(parallel, b, present, {}, next);

@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// What the solvers of one linear system share; each says how it solves.
+/// The common part of solvers of one linear system; each solves in solve_linear().
 class LinearSolver : public Solver {
   public:
     LinearSolver(const ClothModel& model, const ClothSettings& settings);
@@ -24,7 +24,7 @@ class LinearSolver : public Solver {
 
   protected:
     [[nodiscard]] std::uint32_t particles() const noexcept { return mean_motion_.particles(); }
-    /// Solves W dv = b; false: it could not.
+    /// Solves W dv = b; false: no solution was found.
     virtual bool solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) = 0;
     /// The part of Solver::serves() that all linear solvers share.
     [[nodiscard]] bool serves_system(const ClothSettings& settings) const {

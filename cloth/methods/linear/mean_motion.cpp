@@ -16,7 +16,7 @@
 #define WEFT_CLOTH_METHODS_LINEAR_MEAN_MOTION_TYPES
 namespace weft {
 
-/// Particles of one component within some groups of 16, and what their rows are made of.
+/// The particles of one component within some groups of 16, and the data of their rows.
 struct PieceRows {
     const std::uint32_t* components;
     std::uint32_t component;
@@ -26,13 +26,13 @@ struct PieceRows {
     const Vec4* dv;  // null: 0
 };
 
-/// Sums for each of a group's 16 lanes, so that they are the same at any vector width.
+/// One sum for each of a group's 16 lanes, so that results are the same at any vector width.
 struct LaneSums {
     enum Of : std::uint32_t { left_x, left_y, left_z, row_sum, xx, yy, zz, xy, xz, yz, count };
     alignas(64) float values[count][Stencil::lanes];
     alignas(64) float least_row_sum[Stencil::lanes];
 
-    /// By halves, which a compiler turns into vectors.
+    /// The total, summed by halves, which a compiler turns into vectors.
     [[nodiscard]] float all(Of of) const {
         float v[Stencil::lanes];
         std::copy_n(values[of], Stencil::lanes, v);
@@ -42,10 +42,10 @@ struct LaneSums {
     }
 };
 
-/// What a block's particles move by.
+/// The motions that a block's particles get.
 struct MotionRows {
     const std::uint32_t* components;
-    const Vec4* motions;  // of the components
+    const Vec4* motions;  // by component
     const ContactRows* contacts;
     bool is_of_one_component;
 };
@@ -57,7 +57,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Sums of b - W dv, of which springs have none, and of row sums and contact.
+/// Sums b - W dv, row sums and contact over a piece. Springs cancel out of the sum.
 void sum_piece(const PieceRows& piece, LaneSums& sums) {
     const Tag d;
     const hn::RebindToUnsigned<Tag> unsigned_lanes;
@@ -205,7 +205,7 @@ MeanMotion::Rows MeanMotion::sum(const Piece& piece, const ContactRows* contacts
     return rows;
 }
 
-/// A particle of the piece whose row sum is 0.
+/// A particle of the piece whose row sum is 0, or none.
 std::uint32_t MeanMotion::pinned_of(const Piece& piece, const Vec4* right_side) const {
     for (std::uint32_t k = piece.begin; k < piece.end; ++k)
         for (std::uint32_t i = groups_[k] * Stencil::lanes; i < (groups_[k] + 1) * Stencil::lanes; ++i)
@@ -246,8 +246,8 @@ void MeanMotion::take_out(Parallel& parallel, const ContactRows* contacts, std::
     });
 }
 
-// v + dv + u + u', where u' solves the sum of all rows of W u' = b' - W dv. take_out() has left b' with the
-// sum 0, and springs have none.
+// dv becomes v + dv + u + u', where u' solves the sum of all rows of W u' = b' - W dv. take_out() has left b'
+// with the sum 0, and springs cancel out of it.
 void MeanMotion::put_back(Parallel& parallel, const ContactRows* contacts, std::span<const Vec4> right_side,
                           std::span<const Vec4> velocities, std::span<Vec4> dv) {
     if (any_free()) solve(parallel, contacts, right_side.data(), dv.data());

@@ -16,11 +16,11 @@ namespace weft {
 
 struct MotionRows;
 
-/// Springs do not feel a translation u, so along it the system of a component without pins is one of three
-/// equations: (sum_i r_i I + G_i) u = sum_i b_i, where contact adds G_i. Few iterations leave this,
-/// the slowest mode, almost unsolved, and stiff cloth hovers. Solved before the iteration and again after it,
-/// u makes free fall exact, and what lands is stopped, however few iterations run; the converged solution
-/// stays what it is (deflation: Nicolaides 1987).
+/// Springs exert no force along a translation u, so for a component without pins u solves three equations:
+/// (sum_i r_i I + G_i) u = sum_i b_i, where contact adds G_i. Few iterations leave this slowest mode almost
+/// unsolved, and stiff cloth hovers. MeanMotion solves for u before the iteration and again after it: free
+/// fall is exact and landing cloth is stopped, however few iterations run. The converged solution does not
+/// change (deflation: Nicolaides 1987).
 class MeanMotion {
   public:
     explicit MeanMotion(const ClothModel& model);
@@ -28,8 +28,8 @@ class MeanMotion {
     /// Before the iteration: finds u of each component in which no particle is pinned, and subtracts
     /// (r_i I + G_i) u from b_i. `contacts` may be null.
     void take_out(Parallel& parallel, const ContactRows* contacts, std::span<Vec4> right_side);
-    /// After the iteration: solves the rows' sum anew, which the iteration has disturbed, and adds all u to
-    /// dv, with the velocities that dv is a change of.
+    /// After the iteration: solves the rows' sum anew, which the iteration has disturbed, and adds all u and
+    /// the velocities to dv.
     void put_back(Parallel& parallel, const ContactRows* contacts, std::span<const Vec4> right_side,
                   std::span<const Vec4> velocities, std::span<Vec4> dv);
     [[nodiscard]] std::uint32_t particles() const noexcept { return particles_; }
@@ -42,11 +42,11 @@ class MeanMotion {
     struct Piece {
         std::uint32_t component, begin, end;  ///< of groups_
     };
-    /// Rows of one component, or of a part of it.
+    /// Summed rows of one component, or of a piece.
     struct Rows {
         Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
         Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-        std::uint32_t pinned = none;  ///< a particle of the piece that is
+        std::uint32_t pinned = none;  ///< a pinned particle of the piece, or none
 
         void add(const Rows& more);
     };
@@ -58,19 +58,19 @@ class MeanMotion {
     [[nodiscard]] Rows sum(const Piece& piece, const ContactRows* contacts, const Vec4* right_side,
                            const Vec4* dv) const;
     [[nodiscard]] MotionRows motion_rows(std::uint32_t block, const ContactRows* contacts) const;
-    /// Finds u of each component in which nothing is pinned. dv: null before the iteration; after it, what is
-    /// found is added to the u before.
+    /// Finds u of each component in which nothing is pinned. dv: null before the iteration; after it, the
+    /// result is added to the earlier u.
     void solve(Parallel& parallel, const ContactRows* contacts, const Vec4* right_side, const Vec4* dv);
 
     std::uint32_t particles_;
-    SharedBuffer<std::uint32_t> components_;   // of each particle; behind the last one, one past the last
+    SharedBuffer<std::uint32_t> components_;   // by particle; behind the last the number of components
     std::vector<Piece> pieces_;                // block by block
     std::vector<std::uint32_t> block_pieces_;  // pieces of block k: [block_pieces_[k], block_pieces_[k + 1])
-    std::vector<std::uint32_t> groups_;        // of 16 particles, that a piece has a particle in
-    std::vector<Rows> partials_;               // of the pieces
-    std::vector<Rows> sums_;                   // of the components
-    AlignedBuffer<Vec4> motions_;        // u of each component; 0 where a particle is pinned, and at last
-    std::vector<std::uint32_t> pinned_;  // of each component, a particle that is, or none
+    std::vector<std::uint32_t> groups_;        // of 16 particles, in which a piece has any
+    std::vector<Rows> partials_;               // by piece
+    std::vector<Rows> sums_;                   // by component
+    AlignedBuffer<Vec4> motions_;              // u by component; 0 where a particle is pinned, and last a 0
+    std::vector<std::uint32_t> pinned_;        // by component: a pinned particle, or none
 };
 
 }  // namespace weft

@@ -1,6 +1,6 @@
 #pragma once
 // Bending for positional methods: one step of Jacobi's iteration on backward Euler, element by element. It is
-// stable at any rigidity, keeps momentum and what is straight, and is the closer the shorter the step.
+// stable at any rigidity, keeps momentum, keeps straight cloth straight, and improves as steps get shorter.
 
 #include <span>
 #include <vector>
@@ -15,7 +15,7 @@ namespace weft {
 class BendingStep {
   public:
     explicit BendingStep(const ClothModel& model) : BendingStep(model, linear_bending(model)) {}
-    /// Moves particles, which are at start + moved.
+    /// Applies bending to the particles at start + moved: changes `moved`.
     void apply(const SolverStep& step, std::span<const Vec4> start, std::span<Vec4> moved);
     [[nodiscard]] std::size_t bytes() const noexcept {
         return elements_.bytes() + impulses_.bytes() + bounds_.bytes() + occurrences_.bytes();
@@ -25,9 +25,9 @@ class BendingStep {
     BendingStep(const ClothModel& model, const std::vector<BendingElement>& elements);
 
     AlignedBuffer<BendingElement> elements_;
-    AlignedBuffer<Vec4> impulses_;  // of each element: to be multiplied by c, over B h^2 [1/m]
-    AlignedBuffer<float> bounds_;   // D_i of each particle [1/m^2]
-    Occurrences occurrences_;       // of particles: 4 element + corner
+    AlignedBuffer<Vec4> impulses_;  // by element: the impulse over c B h^2 [1/m]
+    AlignedBuffer<float> bounds_;   // by particle: D_i [1/m^2]
+    Occurrences occurrences_;       // by particle: 4 element + corner
 };
 
 }  // namespace weft

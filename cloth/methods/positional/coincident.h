@@ -11,8 +11,8 @@ namespace weft {
 /// Squared distances up to this count as 0 [m^2].
 inline constexpr float coincident = 1e-24f;
 
-/// Moves two particles that are at one point apart by a thousandth of their rest length, each by its inverse
-/// mass, so that momentum is kept, and the constraint has a direction: the same one at every run.
+/// Moves two particles at one point apart by a thousandth of their rest length, each by its inverse mass, so
+/// that momentum is kept. The constraint then has a direction, the same one at every run.
 inline void separate(std::uint32_t a, std::uint32_t b, float weight_a, float weight_b, float rest_length,
                      const Vec4* start, Vec4* moved) {
     const Vector3 apart = (xyz(start[b]) - xyz(start[a])) + (xyz(moved[b]) - xyz(moved[a]));

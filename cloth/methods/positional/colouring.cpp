@@ -23,7 +23,7 @@ class Colouring {
         free_at_second_.assign(most_springs, false);
     }
 
-    /// The rarest of the colours that are free at both ends; where there is none, one is made free.
+    /// Gives a spring the rarest colour free at both ends. If there is none, one is made free or added.
     void colour(std::uint32_t first, std::uint32_t half_edge) {
         const std::uint32_t second = model_.neighbours[half_edge];
         mark_free(first, free_at_first_);
@@ -57,8 +57,8 @@ class Colouring {
         return e;
     }
 
-    // Kempe: a is free at the first end and b at the second. From the second end runs a path of colours a, b,
-    // a, ..; exchange the two along it, and a is free at both ends, unless the path leads to the first.
+    // Kempe's exchange: a is free at the first end and b at the second. A path of colours a, b, a, .. begins
+    // at the second end. Exchanging the two along it makes a free at both ends, unless it leads to the first.
     std::uint32_t make_free(std::uint32_t first, std::uint32_t second) {
         for (std::uint32_t a = 0; a < free_at_first_.size(); ++a) {
             if (!free_at_first_[a]) continue;
@@ -95,8 +95,8 @@ class Colouring {
 
     const ClothModel& model_;
     std::vector<std::uint32_t> twins_;
-    std::vector<std::uint32_t> colour_of_;   // of each half-edge
-    std::vector<std::uint32_t> springs_of_;  // how many each colour has
+    std::vector<std::uint32_t> colour_of_;   // by half-edge
+    std::vector<std::uint32_t> springs_of_;  // by colour: the number of its springs
     std::vector<bool> free_at_first_, free_at_second_;
     std::vector<std::uint32_t> path_;
 };
@@ -115,8 +115,8 @@ std::vector<std::uint32_t> colours_of_mesh(const ClothModel& model) {
     return std::move(colouring).result();
 }
 
-/// Springs of one kind and direction form lines, whose springs take two colours in turn. So a colour is
-/// regular in memory, too.
+/// Springs of one kind and direction form lines, whose springs take two colours in turn, so that a colour is
+/// regular in memory.
 std::uint32_t grid_colour(const ClothModel& model, std::uint32_t low, std::uint32_t half_edge) {
     const std::uint32_t high = model.neighbours[half_edge];
     const std::uint32_t row = low / model.columns, column = low % model.columns;

@@ -23,7 +23,7 @@ struct SpringColours {
 
     std::vector<std::uint32_t> offsets;          ///< springs of colour c: [offsets[c], offsets[c + 1])
     AlignedBuffer<std::uint32_t> first, second;  ///< the springs' particles
-    AlignedBuffer<std::uint32_t> half_edges;     ///< where the model has the spring; no_half_edge: none
+    AlignedBuffer<std::uint32_t> half_edges;     ///< its half-edge in the model; no_half_edge: a stand-in
 
     [[nodiscard]] std::uint32_t colours() const noexcept {
         return static_cast<std::uint32_t>(offsets.size()) - 1;
@@ -34,7 +34,7 @@ struct SpringColours {
     }
 };
 
-/// A grid has 12 colours; a general mesh as many as its best-connected particle has springs, or a few more,
+/// A grid has 8 colours; a general mesh as many as its best-connected particle has springs, or a few more,
 /// each of about as many springs.
 [[nodiscard]] SpringColours colour_springs(const ClothModel& model);
 

@@ -12,7 +12,7 @@ Displacements::Displacements(const ClothModel& model, std::uint32_t stand_ins)
 void Displacements::predict(const SolverStep& step) {
     const StepEquation& equation = step.equation;
     predict_velocities(step.parallel, equation, step.velocities);
-    // Stand-ins are moved by nothing; beside a state that is not finite, 0 times that has been added to them.
+    // Stand-ins do not move, but 0 times a value that is not finite may have been added to them.
     std::fill(moved_.data() + step.model.particle_count, moved_.data() + moved_.size(), Vec4{});
     step.parallel.ranges(step.model.particle_count, [&](const BlockRange& range) {
         for (std::uint32_t i = range.begin; i < range.end; ++i) {

@@ -1,7 +1,7 @@
 #pragma once
-// The particles' places as positional methods keep them: where each was at the start of the step, and how far
-// it has moved since. Positions would round that away: at 64 substeps a particle moves some ten thousandths
-// of its coordinate, and its velocity is that over h.
+// Particles in positional methods: their positions at the start of the step, and their displacements since.
+// Positions alone would round these away: at 64 substeps a particle moves some ten thousandths of its
+// coordinate, and its velocity is that over h.
 
 #include "cloth/methods/positional/bending_step.h"
 #include "cloth/solver/solver.h"
@@ -11,13 +11,12 @@ namespace weft {
 
 class Displacements {
   public:
-    /// With `stand_ins` particles behind the last one, in places of their own, for lanes that have nothing to
-    /// do.
+    /// `stand_ins`: particles behind the last one, each at its own place, for unused lanes.
     Displacements(const ClothModel& model, std::uint32_t stand_ins);
 
     /// Moves all particles as if nothing but external forces and bending acted.
     void predict(const SolverStep& step);
-    /// The velocities that end where they have been moved to.
+    /// Sets the step's velocities to the displacements over h.
     void find_velocities(const SolverStep& step) const;
 
     [[nodiscard]] std::span<const Vec4> start() const { return start_.span(); }

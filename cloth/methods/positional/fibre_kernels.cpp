@@ -36,7 +36,7 @@ HWY_INLINE RowOfParticles particles_of(const FibreGroup& group, std::uint32_t ro
             fetch(group.moved, group.particles + at), load_lanes(group.weights + at)};
 }
 
-/// Rare: some of the row's particles are where their next ones are.
+/// Moves apart the particles of the row that coincide with their next ones, which is rare.
 HWY_NOINLINE void separate_all(const FibreGroup& group, std::uint32_t row, std::uint32_t lane) {
     for (std::uint32_t at = row * FibreSets::lanes + lane; at < row * FibreSets::lanes + lane + part_lanes;
          ++at) {
@@ -103,7 +103,7 @@ void gauss_seidel(const FibreGroup& group) {
     }
 }
 
-/// Rows of what LDL^T keeps of a row of springs, from forwards to backwards.
+/// The values of a row of springs that LDL^T keeps from its forward to its backward sweep.
 struct Kept {
     float* rows;
     [[nodiscard]] HWY_INLINE float* direction(std::uint32_t axis) const {
@@ -200,11 +200,11 @@ HWY_INLINE void move_particles(const FibreGroup& group, std::uint32_t lane, Lane
 // The fibre's equations J W J^T dlambda = -C with XPBD's compliance and damping,
 //   (alpha~ + (1 + gamma) J W J^T) dlambda = -C - alpha~ lambda,
 // are tridiagonal: row s has -(1 + gamma) w n_s . n_s+1 beside its diagonal, w of the particle between.
-// Two things guard them. No pivot of alpha~ + (a positive semidefinite matrix) is below alpha~, and none can
-// be told from rounding below 1e-5 of its diagonal: what is less is raised, which makes that spring more
-// compliant in this iteration. And no particle has further to go than all violations of its fibre together:
-// where the linearised solution would move one further, as along a straight fibre that is pinned at both
-// ends, the whole solution is scaled down. Neither touches momentum.
+// Two guards apply. No pivot of alpha~ + (a positive semidefinite matrix) is below alpha~, and a pivot below
+// 1e-5 of its diagonal is rounding: smaller pivots are raised, which makes that spring more compliant in this
+// iteration. No particle needs to move further than the sum of its fibre's violations: where the linearised
+// solution would move one further, as along a straight fibre that is pinned at both ends, the whole solution
+// is scaled down. Neither guard changes momentum.
 void ldlt(const FibreGroup& group) {
     const Tag tag;
     const Lanes one = hn::Set(tag, 1.0f);
@@ -220,7 +220,7 @@ void ldlt(const FibreGroup& group) {
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(gauss_seidel);

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// One group of a set's fibres, and what there is to solve.
+/// One group of a set's fibres, and the data of its constraints.
 struct FibreGroup {
     static constexpr std::uint32_t scratch_rows =
         6;  ///< rows of 16 floats that LDL^T needs per row of springs
@@ -25,10 +25,10 @@ struct FibreGroup {
     Vec4* moved;
 };
 
-/// Spring by spring along the fibre, each from where the one before has left its particle.
+/// Solves the springs one by one along the fibre, each from where the one before has left its particle.
 void solve_by_gauss_seidel(const FibreGroup& group);
 
-/// All springs of the fibre at once, linearised.
+/// Solves all springs of the fibre at once, linearised.
 void solve_by_ldlt(const FibreGroup& group);
 
 }  // namespace weft

@@ -22,8 +22,8 @@ struct Continuation {
     std::uint32_t a, b;
 };
 
-/// Of each half-edge, that of the same particle in which its fibre goes on, or none. The straightest pairs
-/// are matched first; a turn by more than 60 degrees ends the fibre.
+/// By half-edge: the half-edge of the same particle in which its fibre continues, or none. The straightest
+/// pairs are matched first; a turn by more than 60 degrees ends the fibre.
 std::vector<std::uint32_t> match_continuations(const ClothModel& model) {
     std::vector<std::uint32_t> partner(model.neighbours.size(), none);
     std::vector<Continuation> candidates;

@@ -20,11 +20,11 @@ struct Fibre {
     FibreKind kind;
     SpringKind springs;
     std::vector<std::uint32_t> particles;   ///< one more than springs
-    std::vector<std::uint32_t> half_edges;  ///< where the model has the springs
+    std::vector<std::uint32_t> half_edges;  ///< the springs' half-edges in the model
 };
 
-/// On a grid: rows, columns and diagonals. Structural fibres are vertical if they go further up or down,
-/// where the cloth starts, than across; up is +z for cloth that starts level. Diagonals are shear.
+/// Finds the fibres: on a grid, rows, columns and diagonals. Structural fibres are vertical if they run
+/// further up or down than across, as the cloth starts; up is +z for level cloth. Diagonals are shear.
 [[nodiscard]] std::vector<Fibre> find_fibres(const ClothModel& model);
 
 /// A set's groups [groups_begin, groups_end), in blocks of about equal work.
@@ -47,9 +47,9 @@ struct FibreSets {
     std::vector<std::uint32_t> rows;
     AlignedBuffer<std::uint32_t> particles;  ///< [row * lanes + lane]
     AlignedBuffer<float> rest_lengths;       ///< [m], likewise
-    /// Where the model has each spring, likewise; any, where there is none.
+    /// Each spring's half-edge in the model, likewise; any value where there is no spring.
     AlignedBuffer<std::uint32_t> half_edges;
-    std::uint32_t stand_ins = 0;  ///< groups of the set that has most
+    std::uint32_t stand_ins = 0;  ///< one for each group of the largest set
 
     [[nodiscard]] std::uint32_t particle_row(std::uint32_t group) const { return rows[group] + group; }
     [[nodiscard]] std::uint32_t rows_of(std::uint32_t group) const { return rows[group + 1] - rows[group]; }

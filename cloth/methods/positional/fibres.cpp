@@ -62,7 +62,7 @@ void FibresSolver::find_compliances(const Fabric& fabric, float h) noexcept {
     fabric_ = fabric;
     h_ = h;
     spring_stiffness(model_, fabric, stiffness_.span());
-    constexpr float softest = 1e-20f;  // [kg]; of springs that are none
+    constexpr float softest = 1e-20f;  // [kg]; for springs of stiffness 0
     for (std::size_t at = 0; at < compliances_.size(); ++at)
         compliances_[at] = 1 / std::max(stiffness_[sets_.half_edges[at]] * h * h, softest);
 }

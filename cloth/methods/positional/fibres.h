@@ -1,7 +1,7 @@
 #pragma once
 // Position based dynamics (Mueller, Heidelberger, Hennix, Ratcliff 2007) with fibres and sets, as in PhysX 3
-// (T.-Y. Kim, 2011): chains of constraints, each solved as a whole. Compliance as in XPBD, so that a
-// stiffness means something.
+// (T.-Y. Kim, 2011): chains of constraints, each solved as a whole. Compliance is as in XPBD, so that
+// stiffness has its physical meaning.
 
 #include "cloth/methods/positional/displacements.h"
 #include "cloth/methods/positional/fibre_kernels.h"
@@ -17,7 +17,7 @@ class FibresSolver final : public Solver {
     FibresSolver(const ClothModel& model, const ClothSettings& settings, std::span<const Vec4> positions);
 
     SolveResult solve(const SolverStep& step) override;
-    /// Its memory is made for the set solvers, not for the iterations.
+    /// Whether the set solvers are the same: memory depends on them, not on the iterations.
     [[nodiscard]] bool serves(const ClothSettings& settings) const override;
     void prepare(const ClothSettings& settings) noexcept override {
         if (h_ > 0) find_compliances(settings.fabric, h_);
@@ -32,12 +32,12 @@ class FibresSolver final : public Solver {
     void solve_set(const SolverStep& step, const FibreSet& set);
 
     const ClothModel& model_;
-    Fibres method_;  // that it was made for
+    Fibres method_;  // the method that memory was made for
     FibreSets sets_;
     Occurrences occurrences_;             // in sets_.particles
-    Fabric fabric_{.areal_density = -1};  // that the compliances are of; none yet
+    Fabric fabric_{.areal_density = -1};  // of the compliances; none yet
     float h_ = 0;
-    AlignedBuffer<float> stiffness_;    // of each half-edge [N/m]
+    AlignedBuffer<float> stiffness_;    // by half-edge [N/m]
     AlignedBuffer<float> compliances_;  // like sets_.rest_lengths
     Displacements displacements_;
     AlignedBuffer<float> weights_;      // inverse masses, like sets_.particles

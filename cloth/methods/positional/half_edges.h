@@ -1,5 +1,5 @@
 #pragma once
-// Walking over a cloth's springs, which the model stores at both their ends.
+// Springs as half-edges: the model stores each at both its ends.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// Of each half-edge, the spring's other one.
+/// By half-edge: the spring's other half-edge.
 [[nodiscard]] inline std::vector<std::uint32_t> twin_half_edges(const ClothModel& model) {
     std::vector<std::uint32_t> twins(model.neighbours.size());
     for (std::uint32_t i = 0; i < model.particle_count; ++i)

@@ -1,5 +1,5 @@
 #pragma once
-// Where each particle occurs in a list of particles.
+// The places at which each particle occurs in a list of particles.
 
 #include <cstdint>
 #include <numeric>
@@ -22,7 +22,7 @@ class Occurrences {
             if (list[at] < particles) places_[next[list[at]]++] = at;
     }
 
-    /// Ascending.
+    /// The particle's places in the list, ascending.
     [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t particle) const noexcept {
         return std::span(places_).subspan(offsets_[particle], offsets_[particle + 1] - offsets_[particle]);
     }

@@ -43,7 +43,7 @@ HWY_INLINE void put(const Rows& values, const std::uint32_t* nodes, Vec4* rows) 
     put_every_fourth(d, values.r3, nodes + 3, rows);
 }
 
-/// Lane i to row i, w 0: what undoes lanes_of.
+/// Lane i to row i, w 0: the inverse of lanes_of.
 HWY_INLINE Rows rows_of(const Lanes3& v) {
     const Tag d;
     const hn::Repartition<std::uint64_t, Tag> pairs;

@@ -37,9 +37,9 @@ class XpbdSolver final : public Solver {
     Occurrences firsts_, seconds_;  // of particles among the springs' ends
     XpbdSprings springs_;
     Displacements displacements_;
-    Fabric fabric_{.areal_density = -1};  // that the responses are for; none yet
+    Fabric fabric_{.areal_density = -1};  // of the responses; none yet
     float h_ = 0;
-    AlignedBuffer<float> stiffness_;  // of each half-edge [N/m]
+    AlignedBuffer<float> stiffness_;  // by half-edge [N/m]
     StepResidual residual_;
 };
 

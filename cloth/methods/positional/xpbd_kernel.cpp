@@ -28,7 +28,7 @@ HWY_NOINLINE void separate_all(const SpringColours& colours, const XpbdSprings& 
 // h^2):
 //   dlambda = (-C - alpha~ lambda - gamma n . (u_b - u_a)) / ((1 + gamma) (w_a + w_b) + alpha~),
 //   gamma = alpha~ beta~ / h = damping / h,   u_a -= w_a dlambda n,   u_b += w_b dlambda n.
-// Multiplied by k h^2 above and below it holds for k = 0, too: see Xpbd::find_responses.
+// Multiplied by k h^2 above and below it holds for k = 0, too: see XpbdSolver::find_response.
 template <bool damped>
 void project(const SpringColours& colours, std::uint32_t begin, std::uint32_t end, float gamma,
              SweepOrder order, XpbdSprings& springs, const Vec4* start, Vec4* moved) {
@@ -84,7 +84,7 @@ void project_undamped(const SpringColours& colours, std::uint32_t begin, std::ui
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(project_damped);

@@ -16,13 +16,13 @@ namespace weft {
 
 class CoarseLevel {
   public:
-    /// The springs between this level's nodes: as lists, as a graph, and the components of that. P leads from
-    /// here to the finer level.
+    /// The lists, the graph and its components describe the springs between this level's nodes. The
+    /// interpolation leads from here to the finer level.
     CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
                 const Components& components);
-    /// What of it is constant.
+    /// The level's constant part.
     struct Constants {
-        GalerkinLists lists;  ///< sums are saved nowhere
+        GalerkinLists lists;  ///< without the sums, which are saved nowhere
         Interpolation interpolation;
         Stencil stencil;
         SharedBuffer<std::uint32_t> link_rows;
@@ -30,31 +30,31 @@ class CoarseLevel {
     };
     explicit CoarseLevel(Constants constants);
     [[nodiscard]] Constants constant_part() const;
-    /// For contact of the cloth with itself in so many rows of the finer level; 0: without.
+    /// `finer_pair_rows`: the most rows of the cloth's contact with itself on the finer level; 0: no contact.
     void lay_out(Scratch& scratch, std::size_t finer_pair_rows);
 
-    /// Sums the links from the finest level's springs d d^T + a I, given as (d, a). The lists name springs by
-    /// their index. Constants are scaled.
+    /// Sums the links from the finest level's springs d d^T + a I, given as (d, a) by the index that the
+    /// lists name, and from the constants times `constant_scale`.
     void sum_links(Parallel& parallel, std::span<const Vec4> springs, float constant_scale);
-    /// Sums the ground from what holds the finer level's nodes. Without `off_diagonal` those entries are 0.
+    /// Restricts the finer level's ground to this level. Without `off_diagonal` those entries are 0.
     void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
     /// Sums links and ground from a finer coarse level.
     void sum(Parallel& parallel, const CoarseLevel& finer);
-    /// The bound of the rows of contact joins the ground; finish() and what follows take the rows over.
+    /// Adds the rows' diagonal bound to the ground. finish() and later calls replace it by the rows.
     void add_bound_of_pairs();
-    /// After links and ground: the matrix, and the factors of its small components.
+    /// Makes the matrix from links and ground, and factorises its small components.
     void finish(Parallel& parallel);
 
     /// remainder = b - W x.
     void subtract_product(Parallel& parallel, std::span<Vec4> remainder) const;
     /// x = step D^-1 b.
     void relax_from_zero(Parallel& parallel, float step);
-    /// As ImplicitSystem::relax, on x. The iterate before it is kept in before(), which may be overwritten
-    /// between steps without momentum.
+    /// One step of relaxation on x, as ImplicitSystem::relax(). before() keeps the previous iterate, and may
+    /// be overwritten between steps without momentum.
     void relax(Parallel& parallel, Relaxation relaxation);
     /// x = W^-1 b at the nodes of small components.
     void solve_small_components(Parallel& parallel);
-    /// Whether these are all nodes.
+    /// Whether all nodes are in small components.
     [[nodiscard]] bool has_small_components_only() const noexcept {
         return small_components_.nodes() == nodes();
     }
@@ -68,13 +68,13 @@ class CoarseLevel {
     [[nodiscard]] std::span<Vec4> b() noexcept { return b_.span(); }
     [[nodiscard]] std::span<Vec4> x() noexcept { return x_.span(); }
     [[nodiscard]] std::span<Vec4> before() noexcept { return before_.span(); }
-    /// Of contact of the cloth with itself.
+    /// Rows of the cloth's contact with itself.
     [[nodiscard]] CoarsePairs& pairs() noexcept { return pairs_; }
     [[nodiscard]] const CoarsePairs& pairs() const noexcept { return pairs_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
-    /// b, less what contact does at x beyond its bound.
+    /// b, corrected at x by the rows of contact less their bound.
     [[nodiscard]] std::span<const Vec4> corrected_b() const;
 
     GalerkinLists lists_;

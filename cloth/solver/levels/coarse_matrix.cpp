@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Of a slot or a group, from lane `lane` on.
+/// The block of a slot or a group, from lane `lane` on.
 HWY_INLINE SymmetricLanes load_block(const ScratchArray<float>& values, std::uint32_t slot,
                                      std::uint32_t lane) {
     return load_symmetric(&values[std::size_t{slot} * CoarseMatrix::arrays * Stencil::lanes + lane]);
@@ -25,7 +25,7 @@ HWY_INLINE SymmetricLanes load_block(const ScratchArray<float>& values, std::uin
 
 }  // namespace
 
-// Found by the loops through their vectors' namespace, so not in the file's own.
+// The row loops find these by argument-dependent lookup, so they are not in the anonymous namespace.
 HWY_INLINE Lanes3 row_product(const CoarseMatrix& matrix, std::uint32_t i, const RowsInMemory& x,
                               const Lanes3& x_i) {
     const Stencil& stencil = matrix.stencil;
@@ -72,8 +72,8 @@ HWY_INLINE SymmetricLanes gather_blocks(const SymmetricRows& rows, std::uint32_t
                         gather_rows(rows.off_diagonal.data() + base, numbers));
 }
 
-// A coarse A_IJ alone may be indefinite, their sum is not; what rounding takes away is lifted. A node of
-// pinned particles alone has no inertia, and stays where it is.
+// A coarse A_IJ alone may be indefinite, but their sum is not; the diagonal is lifted against rounding. A
+// node of pinned particles alone has no inertia and does not move.
 void finish(const BlockRange& range, CoarseMatrix& matrix) {
     const Stencil& stencil = matrix.stencil;
     for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
@@ -170,7 +170,7 @@ void sum_links(const GalerkinLists& lists, const BlockRange& range, const Symmet
 }  // namespace weft::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE  // what does not depend on the machine
+#if HWY_ONCE  // code that does not depend on the machine
 namespace weft {
 
 HWY_EXPORT(ground_rows);

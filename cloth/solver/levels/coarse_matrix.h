@@ -40,7 +40,7 @@ struct CoarseMatrix {
 
     CoarseMatrix() = default;
     CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
-    /// From lists that were read.
+    /// Takes over saved lists.
     CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows)
         : stencil(std::move(of_level)), link_rows(std::move(rows)) {}
     void lay_out(Scratch& scratch, const GalerkinLists& lists);
@@ -48,29 +48,29 @@ struct CoarseMatrix {
     Stencil stencil;                        ///< without entries
     ScratchArray<float> coefficients;       ///< A_IJ per slot: 16 of each entry
     ScratchArray<float> ground;             ///< G_I per group: 16 of each entry
-    ScratchArray<float> inverse_diagonal;   ///< likewise; 0 for nodes without inertia
+    ScratchArray<float> inverse_diagonal;   ///< laid out as ground; 0 for nodes without inertia
     SymmetricRows ground_rows;              ///< G_I by node
-    SymmetricRows links;                    ///< A_IJ by place in the lists, and behind them one that is 0
-    SharedBuffer<std::uint32_t> link_rows;  ///< of each entry: its link's number in `links`
+    SymmetricRows links;                    ///< A_IJ by place in the lists; last a block of zeros
+    SharedBuffer<std::uint32_t> link_rows;  ///< by entry: its link's number in `links`
 
     [[nodiscard]] std::size_t bytes() const noexcept { return stencil.bytes() + link_rows.bytes(); }
 };
 
-/// r_i I + G_i as rows: what holds the particles of a block. Without contacts the rows off the diagonal are
-/// not written.
+/// The ground of a block of particles, r_i I + G_i, as rows. Without contacts the off-diagonal rows are not
+/// written.
 void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
                        Vec4* diagonal, Vec4* off_diagonal);
 /// Sums a block of the lists' places from the finest level's springs, d d^T + a I given as (d, a), and from
 /// the lists' constants times `scale`.
 void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
                        SymmetricRows& sums);
-/// The same from a finer coarse level's links.
+/// Sums a block of the lists' places from a finer coarse level's links.
 void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
                      SymmetricRows& sums);
-/// After links and ground: a block's coefficients, and the inverse of its diagonal.
+/// Makes a block's coefficients and inverse diagonal from links and ground.
 void finish_block(const BlockRange& range, CoarseMatrix& matrix);
 
-/// As ImplicitSystem's functions of the same name.
+/// Loops over a block of rows, as ImplicitSystem's functions of the same names.
 void subtract_product_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,
                             Vec4* remainder);
 void relax_block(const CoarseMatrix& matrix, const BlockRange& range, const Vec4* b, const Vec4* x,

@@ -10,13 +10,13 @@ namespace weft {
 
 namespace {
 
-/// How many fine rows say where a coarse one acts; of the others only K is added.
+/// The number of fine rows whose weights a coarse row averages. Further rows only add their K.
 constexpr std::uint32_t looked_at = 4;
-/// Rows that hardly reach from one node to another say nothing that the level can move by.
+/// Rows of less reach are left out: the level's motions hardly change their gap.
 constexpr float least_reach = 0.1f;
 
 constexpr std::uint32_t none = ~0u;
-/// A node has many rows.
+/// Few, because a node has many rows.
 constexpr std::uint32_t nodes_per_block = 16;
 
 }  // namespace
@@ -38,7 +38,7 @@ class CoarsePairs::Sum {
         nodes_[count_] = node;
         weights_[count_++] = c;
     }
-    /// The nodes that have most of either sign, the lower number first; `none` where there is none.
+    /// The nodes of the largest weight of either sign, the lower number first; `none` without weights.
     [[nodiscard]] Key key() const {
         std::uint32_t most = none, least = none;
         for (std::uint32_t k = 0; k < count_; ++k) {
@@ -65,8 +65,8 @@ class CoarsePairs::Sum {
     float weights_[most_nodes];
 };
 
-/// Sum::key of one fine particle's nodes less another's. Mostly the two share none, and each side has its own
-/// strongest one; `none` then for neither is asked further.
+/// Sum::key() of P's row `most` less row `least`. The rows mostly share no node: the key is then the node of
+/// the largest weight in each, and no sum is made.
 CoarsePairs::Key CoarsePairs::key_between(const Interpolation& p, std::span<const float> of_p,
                                           std::uint32_t most, std::uint32_t least) {
     constexpr std::uint32_t width = Interpolation::width;
@@ -105,8 +105,8 @@ void CoarsePairs::lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t
     scratch.take_few(merged_, any ? std::size_t{nodes} + 1 : 0);
 }
 
-// Rows between the same two nodes come to follow one another: counted by the lower node, then sorted by the
-// higher.
+// Puts rows between the same two nodes next to one another: a counting sort by the lower node, then a sort by
+// the higher.
 void CoarsePairs::sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows) {
     const std::span<std::uint32_t> starts = starts_.span(), merged = merged_.span();
     std::ranges::fill(starts, 0u);
@@ -166,7 +166,7 @@ void CoarsePairs::merge(Parallel& parallel, std::uint32_t fine_rows, const AddRo
     size_ = static_cast<std::uint32_t>(merged.size() - left_out.size());
 }
 
-// A group has room for more than one of its cloths: what is over is left to the finest level.
+// A group may have more pairs than a cloth has room for. The others act on the finest level only.
 void CoarsePairs::list(PairRows& pairs, std::uint32_t first, std::uint32_t particles) {
     listed_ = 0;
     pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {

@@ -1,7 +1,7 @@
 #pragma once
-// Contact of a cloth with itself on the coarse levels of its multigrid cycle. Without it they would push
-// layers through each other; with contact as a ground that holds each side, they would stop what touches from
-// moving together.
+// Contact of a cloth with itself on the coarse levels of its multigrid cycle. Without contact the levels
+// would push layers through each other. With contact as a ground that holds each side, they would keep layers
+// that touch from moving together.
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,9 @@
 
 namespace weft {
 
-/// Rows K c c^T: the nodes that c names pull at the sum of c x by K, the weights of c adding up to 0. A
-/// coarse row stands for all fine ones between the same two nodes: it has the sum of their K and, of the
-/// first few, the mean of P^T c (Galerkin's product, but for that merging).
+/// Rows K c c^T: K acts on the sum of c x over the nodes that c names; the weights of c add up to 0. A coarse
+/// row merges all fine rows between the same two nodes: it has the sum of their K and, of the first few, the
+/// mean of P^T c (Galerkin's product, but for the merging).
 class CoarsePairs {
   public:
     static constexpr std::uint32_t most_nodes = 12;  ///< of a row
@@ -32,24 +32,24 @@ class CoarsePairs {
         Symmetric3 stiffness;
     };
 
-    /// Rows that there is room for, for each node; what is beyond them is left out.
+    /// Capacity: so many rows for each node, and least_rows more. Further rows are left out.
     static constexpr std::size_t rows_per_node = 24, least_rows = 64;
 
-    /// For so many rows of a finer level, which become rows of `nodes` coarse nodes; there are none as yet.
+    /// Room for `fine_rows` rows of a finer level, merged into rows of `nodes` coarse nodes. Makes no rows.
     void lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t nodes);
     [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
 
-    /// Lists the pairs that push one of a cloth's `particles` from `first` on. Pairs are asked for them by
-    /// one cloth at a time.
+    /// Lists the pairs that push any of a cloth's `particles`, numbered from `first` on. Only one cloth at a
+    /// time may call this: the pairs mark what they list.
     void list(PairRows& pairs, std::uint32_t first, std::uint32_t particles);
-    /// Makes rows of the listed pairs all of whose corners are the cloth's. P leads from the first coarse
-    /// level to its particles; `weights` are its weights, 0 where pinned.
+    /// Makes rows of the listed pairs whose corners are all the cloth's. P leads from the first coarse level
+    /// to the particles; `weights` are P's, 0 where pinned.
     void gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
                 std::span<const float> weights);
     [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept {
         return active_.span().first(listed_);
     }
-    /// Of the rows of a finer coarse level.
+    /// Makes rows of a finer coarse level's rows.
     void gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p);
 
     /// Whether all corners of a pair are particles of the cloth, which has so many from `first` on.
@@ -67,18 +67,18 @@ class CoarsePairs {
     }
 
     [[nodiscard]] std::span<const Row> rows() const noexcept { return rows_.span().first(size_); }
-    /// What bounds the rows from above on the diagonal: node k of a row has reach |c_k| K.
+    /// add(node, factor, K) for D, the rows' upper bound on the diagonal: node k of a row has reach |c_k| K.
     template <class Add>
     void for_each_bound(const Add& add) const {
         for (const Row& row : rows())
             for (std::uint32_t k = 0; k < row.count; ++k)
                 add(row.nodes[k], row.reach * std::abs(row.weights[k]), row.stiffness);
     }
-    /// corrected = b - (C - D) x, D being that bound.
+    /// corrected = b - (C - D) x, where C is the rows' matrix and D their bound.
     void correct(std::span<const Vec4> b, std::span<const Vec4> x, std::span<Vec4> corrected) const;
 
   private:
-    /// A fine row, by the coarse nodes that it is mostly between.
+    /// A fine row's place in the order: the two coarse nodes of its largest weights.
     struct Key {
         std::uint32_t low, high;
         float sign;  ///< 1: c is positive at the lower one, else -1
@@ -100,9 +100,9 @@ class CoarsePairs {
     void merge(Parallel& parallel, std::uint32_t fine_rows, const AddRow& add_row);
 
     ScratchArray<Key> keys_;              // of the finer level's rows
-    ScratchArray<Placed> order_;          // these, by key
-    ScratchArray<std::uint32_t> starts_;  // by low node, of its first in that order
-    ScratchArray<std::uint32_t> merged_;  // by low node, of its first coarse row
+    ScratchArray<Placed> order_;          // fine rows, by key
+    ScratchArray<std::uint32_t> starts_;  // by low node: its first place in order_
+    ScratchArray<std::uint32_t> merged_;  // by low node: its first coarse row
     ScratchArray<PairRows::ActivePair> active_;
     ScratchArray<Row> rows_;
     std::uint32_t listed_ = 0, size_ = 0;  // active pairs, coarse rows

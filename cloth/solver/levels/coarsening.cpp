@@ -17,19 +17,19 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Which kept node each node is nearest to, along the springs.
+/// The nearest kept node of each node, along the springs.
 struct Voronoi {
     std::vector<float> distance;
     std::vector<std::uint32_t> owner;  // a node of the fine graph
 };
 
-/// A distance and a number as one integer, which goes by the distance first: neither is below 0.
+/// A distance and a number as one integer that sorts by distance first. Precondition: neither is below 0.
 std::uint64_t packed(float distance, std::uint32_t number) {
     return std::uint64_t{std::bit_cast<std::uint32_t>(distance)} << 32 | number;
 }
 
-/// Claims for a source all nodes that are nearer to it than to their present owner. What comes out is the
-/// same in whatever order nodes are gone on from: sums along a way only grow.
+/// Claims for a source all nodes that are nearer to it than to their present owner. The result does not
+/// depend on the order of visits, because sums along a path only grow.
 class Claims {
   public:
     Claims(const SpringGraph& graph, Voronoi& voronoi)
@@ -41,7 +41,7 @@ class Claims {
         queue_.clear();
         heap_.clear();
         reach(source, 0, [&](std::uint32_t node) { wait(node); });
-        // In the order in which they were reached few are gone on from again, mostly; if not, by distance.
+        // In the order of arrival few nodes are mostly visited again. If many are, distance decides.
         for (std::size_t k = 0; k < queue_.size(); ++k) {
             if (k > 64 + 4 * claimed_) return go_by_distance(k);
             waits_[queue_[k]] = 0;
@@ -66,7 +66,7 @@ class Claims {
         for (std::uint32_t e = graph_.offsets[node]; e < graph_.offsets[node + 1]; ++e)
             reach(graph_.neighbours[e], distance + graph_.lengths[e], then);
     }
-    /// From the nearest first (Dijkstra 1959), beginning with those that wait.
+    /// Visits the nearest node first (Dijkstra 1959), beginning with the waiting ones.
     void go_by_distance(std::size_t first) {
         const auto push = [&](std::uint32_t node) {
             heap_.push_back(packed(voronoi_.distance[node], node));
@@ -94,7 +94,7 @@ class Claims {
     std::vector<std::uint64_t> heap_;
 };
 
-/// How many nodes of each component stay.
+/// The number of nodes that each component keeps.
 std::vector<std::uint32_t> wanted_of(const Components& components, float ratio, std::uint32_t most_direct) {
     std::vector<std::uint32_t> wanted(components.count());
     for (std::uint32_t c = 0; c < components.count(); ++c) {
@@ -105,11 +105,11 @@ std::vector<std::uint32_t> wanted_of(const Components& components, float ratio, 
     return wanted;
 }
 
-/// The node farthest from those that are kept, the lower number first. Distances only fall: the farthest of
-/// each few nodes is looked up anew where it may be out of date.
+/// Finds the node farthest from the kept ones, the lower number first. Distances only fall, so the stored
+/// farthest of each few nodes is a bound, and is looked up anew when it comes first.
 class Farthest {
   public:
-    /// Of nodes at a distance that `is_wanted(node)`.
+    /// Over the nodes for which `is_wanted(node)`.
     template <class IsWanted>
     Farthest(const std::vector<float>& distance, const IsWanted& is_wanted) : distance_(distance) {
         is_out_.resize(distance.size());
@@ -118,7 +118,7 @@ class Farthest {
             if (const std::uint64_t farthest = farthest_from(begin); farthest > 0) heap_.push_back(farthest);
         std::ranges::make_heap(heap_);
     }
-    /// Nothing: there is none left.
+    /// Returns nothing when no node is left.
     [[nodiscard]] std::optional<std::uint32_t> next() {
         while (!heap_.empty()) {
             const std::uint64_t known = heap_.front(), now = farthest_from(begin_of(known));
@@ -134,7 +134,7 @@ class Farthest {
 
     static std::uint32_t node_of(std::uint64_t pair) { return ~static_cast<std::uint32_t>(pair); }
     static std::uint32_t begin_of(std::uint64_t pair) { return node_of(pair) / few * few; }
-    /// 0 if all are left out: a number's complement is not.
+    /// 0 if all are left out. A packed node is never 0, because it has the number's complement.
     [[nodiscard]] std::uint64_t farthest_from(std::uint32_t begin) const {
         const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(begin + few, distance_.size()));
         std::uint64_t farthest = 0;
@@ -142,7 +142,7 @@ class Farthest {
             if (is_out_[i] == 0) farthest = std::max(farthest, packed(distance_[i], ~i));
         return farthest;
     }
-    /// By what is not more; 0: by nothing.
+    /// Replaces the heap's top by a smaller or equal key; 0 pops it.
     void replace_first(std::uint64_t pair) {
         if (pair == 0) {
             pair = heap_.back();
@@ -166,8 +166,8 @@ class Farthest {
     std::vector<std::uint64_t> heap_;
 };
 
-/// Farthest-point sampling (Gonzalez 1985) in each component by itself: its next node is the one farthest
-/// from those before. Nodes that none of them reaches come first.
+/// Farthest-point sampling (Gonzalez 1985) in each component by itself: the next node is the farthest from
+/// those before. Nodes that no kept node reaches come first.
 Voronoi sample_farthest(const SpringGraph& graph, const Components& components,
                         std::vector<std::uint32_t> wanted, std::vector<std::uint32_t>& kept) {
     Voronoi voronoi{std::vector<float>(graph.nodes(), infinity),
@@ -216,7 +216,7 @@ struct Rows {
     void end_row() { offsets.push_back(weights.size()); }
 };
 
-/// Adds up a row, whose nodes keep the order in which they came.
+/// Sums a row; its nodes stay in the order in which they came.
 class RowSum {
   public:
     explicit RowSum(std::uint32_t coarse) : places_(coarse, none), row_(coarse) {}
@@ -250,8 +250,8 @@ class RowSum {
 
   private:
     static constexpr std::uint32_t none = ~0u;
-    std::vector<std::uint32_t> places_;  // in the row, by coarse node
-    std::vector<Weight> row_;            // as far as it goes
+    std::vector<std::uint32_t> places_;  // by coarse node: its place in the row
+    std::vector<Weight> row_;            // the first size_ are in use
     std::uint32_t size_ = 0;
 };
 
@@ -275,7 +275,7 @@ class Smoothing {
                 result.end_row();
                 continue;
             }
-            // What nothing is interpolated along comes to nothing.
+            // A spring of stiffness 0 would only add weights of 0.
             for (std::uint32_t e = graph_.offsets[i]; e < graph_.offsets[i + 1]; ++e) {
                 const float stiffness = graph_.stiffness[e];
                 if (stiffness == 0) continue;
@@ -285,14 +285,14 @@ class Smoothing {
         }
         return result;
     }
-    /// Whether sweeps leave its row as it is.
+    /// Whether sweeps leave the node's row as it is.
     [[nodiscard]] bool is_held(std::uint32_t node) const { return is_kept_[node] || stiffness_[node] == 0; }
 
   private:
     const SpringGraph& graph_;
     const std::vector<bool>& is_kept_;
     RowSum sum_;
-    std::vector<float> stiffness_;  // of nodes: the sum of their springs'
+    std::vector<float> stiffness_;  // by node: the sum of its springs'
 };
 
 /// Keeps the largest weights of each row, scaled to sum 1, ascending by node.
@@ -384,7 +384,7 @@ Coarsening coarsen(const SpringGraph& graph, const Components& components, float
     }
     Rows rows;
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
-        if (voronoi.distance[i] != infinity) {  // else nobody's
+        if (voronoi.distance[i] != infinity) {  // else no kept node reaches it
             voronoi.owner[i] = coarse_of[voronoi.owner[i]];
             rows.weights.push_back({voronoi.owner[i], 1.0f});
         }

@@ -1,6 +1,6 @@
 #pragma once
-// From one level of a hierarchy to the next coarser one: which nodes stay, and how the others interpolate
-// from them. Works on any graph; done once, when a cloth gets its multilevel solver.
+// Coarsening of one level to the next: which nodes stay, and how the others interpolate from them. It works
+// on any graph, and runs once, when a cloth gets its multilevel solver.
 
 #include <cstdint>
 #include <span>
@@ -14,7 +14,7 @@ namespace weft {
 struct SpringGraph {
     std::vector<std::uint32_t> offsets, neighbours;
     std::vector<float> stiffness;  ///< >= 0
-    std::vector<float> lengths;    ///< >= 0; infinite where a spring is no way to go
+    std::vector<float> lengths;    ///< >= 0; infinite: no path follows the spring
 
     [[nodiscard]] std::uint32_t nodes() const noexcept {
         return static_cast<std::uint32_t>(offsets.size()) - 1;
@@ -38,19 +38,19 @@ struct Components {
 };
 [[nodiscard]] Components components_of(const SpringGraph& graph);
 
-/// Makes P^T of what P has by rows.
+/// Makes P^T by rows from the rows of P.
 void store_transpose(Interpolation& p);
 
-/// What the next level is made from.
+/// The coarse nodes, from which the next level is made.
 struct Coarsening {
     Interpolation interpolation;
     std::vector<std::uint32_t> owner;  ///< the coarse node nearest to each fine one, along the springs
-    std::vector<float> distance;       ///< to its owner
+    std::vector<float> distance;       ///< from each fine node to its owner
 };
 
 /// Keeps about nodes / ratio nodes of each component, at least one, whatever other components there are.
-/// Those of at most `most_direct` nodes are solved where they are, and nodes without springs have nothing to
-/// correct: they keep none, and their rows of P are 0.
+/// Components of at most `most_direct` nodes are solved directly, and nodes without springs need no
+/// correction: they keep no node, and their rows of P are 0.
 [[nodiscard]] Coarsening coarsen(const SpringGraph& graph, const Components& components, float ratio,
                                  std::uint32_t most_direct);
 

@@ -16,7 +16,7 @@ namespace {
 using Factor = Eigen::Map<Eigen::MatrixXd>;
 using ConstFactor = Eigen::Map<const Eigen::MatrixXd>;
 
-/// How many components a thread takes at a time.
+/// The number of components that a thread takes at a time.
 constexpr std::uint32_t components_at_a_time = 16;
 
 }  // namespace
@@ -123,7 +123,7 @@ void ComponentSolver::factorise(std::uint32_t component, const CoarseMatrix& mat
             }
         }
     }
-    // A node of pinned particles alone has a row of zeros, and W was summed in single precision.
+    // Shifted: a node of pinned particles alone has a row of zeros, and W was summed in single precision.
     const double largest = block.diagonal().maxCoeff();
     block.diagonal().array() += largest > 0 ? 1e-6 * largest : 1.0;
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(block);

@@ -21,7 +21,7 @@ struct SmallComponents {
     /// Larger components have a coarser level instead.
     static constexpr std::uint32_t most_nodes = 16;
     static constexpr std::uint32_t none = ~0u;
-    /// Its nodes, links and factor begin here, and end where those of the next one begin.
+    /// Where a component's nodes, links and factor begin; they end where the next component's begin.
     struct Component {
         std::uint32_t node, link;
         std::uint64_t factor;
@@ -35,9 +35,9 @@ struct SmallComponents {
     /// `lists` name the level's links.
     SmallComponents(const Components& of_level, const GalerkinLists& lists);
 
-    SharedBuffer<Component> components;  ///< and behind the last of them their ends
+    SharedBuffer<Component> components;  ///< last an entry with their ends
     SharedBuffer<std::uint32_t> nodes;
-    SharedBuffer<std::uint32_t> number;  ///< of each of the level's nodes: its place in `nodes`, or none
+    SharedBuffer<std::uint32_t> number;  ///< by the level's node: its place in `nodes`, or none
     SharedBuffer<LocalLink> links;
 
     /// visit(list) for each of its lists.
@@ -48,7 +48,7 @@ struct SmallComponents {
         visit(self.number);
         visit(self.links);
     }
-    /// Whether lists that were read name only what there is, on a level of so many nodes and places.
+    /// Whether all indices in lists that were read are in range, on a level of so many nodes and places.
     [[nodiscard]] bool is_sound(std::uint32_t level_nodes, std::size_t places) const;
     [[nodiscard]] std::size_t bytes() const noexcept {
         return components.bytes() + nodes.bytes() + number.bytes() + links.bytes();
@@ -62,8 +62,8 @@ class ComponentSolver {
     explicit ComponentSolver(SmallComponents components) : lists_(std::move(components)) {}
     void lay_out(Scratch& scratch) { scratch.take(factors_, lists_.components[count()].factor); }
 
-    /// Cholesky factors of the matrix's blocks, in double precision. Rows of pairs within a component take
-    /// the place of their bound, which the matrix has.
+    /// Makes the Cholesky factors of the matrix's blocks, in double precision. Rows of pairs within a
+    /// component replace their bound, which the matrix includes.
     void factorise(Parallel& parallel, const CoarseMatrix& matrix, const CoarsePairs& pairs);
     /// Sets x to the solution at the small components' nodes, and leaves the others alone.
     void solve(Parallel& parallel, std::span<const Vec4> b, std::span<Vec4> x) const;

@@ -106,7 +106,7 @@ Terms terms_of(const std::vector<Link>& links, const Interpolation& p) {
     return result;
 }
 
-/// Sorts the terms of one first node by second ones; those of one second node stay in order.
+/// A stable sort of the terms of one first node by their second nodes.
 class SortBySecond {
   public:
     explicit SortBySecond(std::uint32_t coarse) : counts_(coarse) {}
@@ -166,7 +166,7 @@ struct GrowingLists {
     [[nodiscard]] std::uint32_t terms(std::uint32_t link) const { return offsets[link + 1] - offsets[link]; }
 };
 
-/// Links by the places of their sums.
+/// Links in the order of their sums' places.
 std::vector<std::uint32_t> ordered_for_lanes(const GrowingLists& lists) {
     std::vector<std::uint32_t> order(lists.links.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -285,7 +285,7 @@ SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes) {
 SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
                               const std::vector<Link>& fine_links, const GalerkinLists& lists) {
     const std::uint32_t nodes = coarsening.interpolation.coarse;
-    std::vector<std::uint32_t> starts(nodes + std::size_t{1});  // of the links by their first nodes
+    std::vector<std::uint32_t> starts(nodes + std::size_t{1});  // by first node: its first link
     for (const Link& link : lists.links) ++starts[link.first + std::size_t{1}];
     for (std::uint32_t i = 0; i < nodes; ++i) starts[i + 1] += starts[i];
 

@@ -22,18 +22,18 @@ struct Link {
     friend auto operator<=>(const Link&, const Link&) = default;
 };
 
-/// The numbers of terms' fine links, in rows.
+/// The fine link of each term by number, in rows of terms.
 struct FineLinks {
-    SharedBuffer<std::uint32_t> numbers;    ///< of each term; none once packed
-    SharedBuffer<std::uint32_t> bases;      ///< packed: of each row the least number,
-    SharedBuffer<std::uint16_t> from_base;  ///< and by how much that of each term is more
+    SharedBuffer<std::uint32_t> numbers;    ///< by term; empty when packed
+    SharedBuffer<std::uint32_t> bases;      ///< packed: the least number of each row
+    SharedBuffer<std::uint16_t> from_base;  ///< packed: each term's number less that base
 
     [[nodiscard]] bool is_packed() const noexcept { return !bases.empty() || !from_base.empty(); }
     [[nodiscard]] std::uint32_t of(std::uint32_t row, std::uint32_t term) const noexcept {
         return is_packed() ? bases[row] + from_base[term] : numbers[term];
     }
-    /// Row r is terms [width * offsets[r], width * offsets[r + 1]); those of factor 0 may name any of its
-    /// links. Does nothing where those of a row lie too far from one another.
+    /// Row r is terms [width * offsets[r], width * offsets[r + 1]). Terms of factor 0 may then name any link
+    /// of their row. Does nothing if a row's numbers differ by more than 16 bits hold.
     void pack(std::span<const std::uint32_t> offsets, std::uint32_t width, std::span<const float> factors);
     [[nodiscard]] std::size_t bytes() const noexcept {
         return numbers.bytes() + bases.bytes() + from_base.bytes();
@@ -42,14 +42,14 @@ struct FineLinks {
 
 /// The terms of each coarse spring: a factor and a spring of the finer level. Sums are taken 16 at a time, as
 /// the rows of a Stencil are. Of each 256 sums those with the most terms come first, so that the lanes of a
-/// group have about as many.
+/// group have about equally many.
 struct GalerkinLists {
-    /// Terms of fine links whose blocks are a number times the identity, and never change.
+    /// Terms of fine links whose blocks are constant multiples of the identity.
     struct Constants {
         SharedBuffer<std::uint32_t> offsets;  ///< terms of link k: [offsets[k], offsets[k + 1])
-        FineLinks fine_links;                 ///< of each term, in these rows
+        FineLinks fine_links;                 ///< by term, in these rows
         SharedBuffer<float> factors;
-        AlignedBuffer<float> sums;  ///< of each place: what the terms add up to, over constant_scale()
+        AlignedBuffer<float> sums;  ///< by place: the sum of its terms, over constant_scale()
 
         [[nodiscard]] std::size_t bytes() const noexcept {
             return offsets.bytes() + fine_links.bytes() + factors.bytes() + sums.bytes();
@@ -57,10 +57,10 @@ struct GalerkinLists {
     } constants;
 
     SharedBuffer<Link> links;                 ///< of the coarse level, ascending
-    SharedBuffer<std::uint32_t> places;       ///< of each link: which sum is its, group * lanes + lane
+    SharedBuffer<std::uint32_t> places;       ///< by link: the place of its sum, group * lanes + lane
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
-    FineLinks fine_links;                     ///< of each term, [slot * lanes + lane], in rows of groups
-    SharedBuffer<float> factors;              ///< likewise; 0 where a lane has no more terms
+    FineLinks fine_links;                     ///< by term, [slot * lanes + lane], a row for each group
+    SharedBuffer<float> factors;              ///< by term; 0 where a lane has no more terms
 
     [[nodiscard]] std::uint32_t groups() const noexcept {
         return (static_cast<std::uint32_t>(links.size()) + Stencil::lanes - 1) / Stencil::lanes;
@@ -81,7 +81,7 @@ struct GalerkinLists {
                                                 const Interpolation& interpolation,
                                                 const std::vector<bool>& is_constant = {});
 
-/// Who is whose neighbour, without stiffnesses and lengths.
+/// The graph of these links, without stiffnesses and lengths.
 [[nodiscard]] SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes);
 
 /// The graph of the coarse level: stiffness summed by the lists, lengths along the springs of the fine graph.

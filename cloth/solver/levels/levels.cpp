@@ -38,7 +38,7 @@ void visit_level(Level& level, Visit& visit) {
     SmallComponents::for_each_list(level.small_components, visit);
 }
 
-/// Of what has its head.
+/// Visits every saved list. Precondition when reading: the head has been read.
 template <class Saved, class Visit>
 void visit_all_lists(Saved& saved, Visit& visit) {
     visit(saved.slots);
@@ -83,13 +83,13 @@ bool are_links(const SharedBuffer<Link>& links, std::uint32_t nodes) {
     return are_below({reinterpret_cast<const std::uint32_t*>(links.data()), 2 * links.size()}, nodes);
 }
 
-/// Whether there are so many terms, in so many rows.
+/// Whether there are `terms` terms in `rows` rows.
 bool are_fine_links(const FineLinks& links, std::size_t rows, std::size_t terms) {
     if (!links.is_packed()) return links.numbers.size() == terms;
     return links.numbers.empty() && links.from_base.size() == terms && links.bases.size() == rows;
 }
 
-/// Whether base + each is below `end`.
+/// Whether base + number is below `end` for each of the numbers.
 [[gnu::noinline]] bool are_near(std::span<const std::uint16_t> numbers, std::uint32_t base, std::size_t end) {
     if (numbers.empty()) return true;
     if (base >= end) return false;
@@ -99,8 +99,7 @@ bool are_fine_links(const FineLinks& links, std::size_t rows, std::size_t terms)
     return bits < first_bit;
 }
 
-/// Whether the terms of sums, in rows as the groups have slots, name links below `end`. Precondition: offsets
-/// are within the terms.
+/// Whether all terms of sums name links below `end`. Precondition: the groups' slots are within the terms.
 bool name_links_below(const GalerkinLists& lists, std::size_t end) {
     const FineLinks& links = lists.fine_links;
     if (!links.is_packed()) return are_below(links.numbers.span(), end);
@@ -120,7 +119,7 @@ bool fits_transpose(const Interpolation& p) {
            are_weights(p.fine_weights);
 }
 
-/// `fine`: nodes of the finer level, which has so many springs and, of these, constants.
+/// `fine`, `springs`, `constants`: the finer level's numbers of nodes, springs and constant links.
 bool fits_level(const CoarseLevel::Constants& level, std::uint32_t fine, std::size_t springs,
                 std::size_t constants) {
     const GalerkinLists& lists = level.lists;

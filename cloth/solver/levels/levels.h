@@ -1,7 +1,7 @@
 #pragma once
-// The levels of a cloth's multigrid as a function of its mesh and of the kind of its system: whatever was set
-// before, the same cloth has the same levels. Stiffnesses only scale the springs that levels interpolate
-// along; their ratios hardly matter to how fast cycles converge.
+// The levels of a cloth's multigrid depend on its mesh and the kind of its system only, not on earlier
+// settings. Stiffnesses only scale the springs that levels interpolate along; their ratios hardly affect how
+// fast cycles converge.
 
 #include <memory>
 
@@ -12,8 +12,8 @@
 
 namespace weft {
 
-/// Levels with no pins, from the cloth where it starts and the default fabric. `system` is left linearised
-/// about that. `saved` levels are taken in their place, unless they do not fit the elements' system.
+/// Makes levels without pins, from the cloth's first positions and the default fabric, and leaves `system`
+/// linearised about these. Returns the `saved` levels instead if they fit the system.
 [[nodiscard]] std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system,
                                                      SavedLevels* saved = nullptr);
 

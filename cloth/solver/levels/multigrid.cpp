@@ -11,9 +11,9 @@ namespace weft {
 
 namespace {
 
-constexpr float ratio = 9;  // of nodes, from level to level
+constexpr float ratio = 9;  // of the nodes of a level to those of the next
 
-/// Chebyshev semi-iteration on [low, high] (Golub and Varga 1961), from its first step on.
+/// The first two steps of a Chebyshev semi-iteration on [low, high] (Golub and Varga 1961).
 struct Chebyshev2 {
     Relaxation first, second;
 };
@@ -39,7 +39,7 @@ SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const
             if (j == i) continue;
             const std::uint32_t entry = system.entry_between(i, j);
             graph.neighbours.push_back(j);
-            // Where there is bending alone, or it pushes apart, nothing is interpolated along.
+            // Links of bending alone, and of bending that pushes apart, interpolate nothing.
             const float stiffness = 3 * blocks[entry].w + xyz(blocks[entry]).squaredNorm();
             graph.stiffness.push_back(std::max(stiffness, 0.0f));
             graph.lengths.push_back((xyz(positions[j]) - xyz(positions[i])).norm());
@@ -121,8 +121,8 @@ SavedLevels Multigrid::constant_part() const {
     return part;
 }
 
-// Until all components are small. Each has a ninth of its nodes on the next level; one that has not lost half
-// of them, since lengths of its springs have overflowed, is left to relaxation.
+// Adds levels until all components are small. Each keeps a ninth of its nodes on the next level. A level that
+// would keep more than half, because lengths have overflowed, is left to relaxation.
 void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
                             std::span<const std::uint32_t> numbers) {
     Components components = components_of(graph);
@@ -133,7 +133,7 @@ void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
         if (nodes == 0 || nodes > graph.nodes() / 2) break;
         const bool finest = coarse_.empty();
         std::vector<bool> is_constant;
-        std::vector<std::uint32_t> springs;  // of the finest links
+        std::vector<std::uint32_t> springs;  // by finest link
         for (std::size_t k = 0; finest && k < links.size(); ++k) {
             is_constant.push_back(numbers[k] != none);
             springs.push_back(is_constant[k] ? 0 : spring_of(links[k]));
@@ -146,7 +146,7 @@ void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
             weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
             std::ranges::copy(coarsening.interpolation.weights.span(), weights_.data());
             for (std::uint32_t& link : lists.fine_links.numbers)
-                link = springs[link];  // padding may name any
+                link = springs[link];  // padding may name any link
             for (std::uint32_t& link : lists.constants.fine_links.numbers) link = numbers[link];
         } else {
             const SharedBuffer<std::uint32_t>& places = coarse_.back().lists().places;
@@ -162,7 +162,7 @@ void Multigrid::sum_constant(std::uint32_t k) noexcept {
     GalerkinLists::Constants& terms = coarse_.front().constants();
     double sum = 0;
     for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t) {
-        // Below their number, but perhaps in levels from a file that was made to mislead.
+        // The number is in range, except in levels from a malicious file.
         const std::size_t number =
             std::min<std::size_t>(terms.fine_links.of(k, t), constants_.links.size() - 1);
         const Link& link = constants_.links[number];
@@ -172,7 +172,7 @@ void Multigrid::sum_constant(std::uint32_t k) noexcept {
     terms.sums[coarse_.front().lists().places[k]] = static_cast<float>(sum);
 }
 
-// A link has terms in those between the coarse nodes that its two ends are interpolated from.
+// A link has terms in the coarse links between the nodes that its two ends are interpolated from.
 void Multigrid::sum_constants_at(std::uint32_t particle) noexcept {
     const GalerkinLists& lists = coarse_.front().lists();
     const Interpolation& p = coarse_.front().interpolation();
@@ -197,7 +197,7 @@ void Multigrid::sum_constants_at(std::uint32_t particle) noexcept {
 std::uint32_t Multigrid::spring_of(const Link& link) const {
     const std::uint32_t entry = system_->entry_between(link.first, link.second);
     const auto slot = std::ranges::lower_bound(slots_, entry / Stencil::lanes);
-    // It is there, but perhaps in levels from a file that was made to mislead.
+    // The slot is listed, except in levels from a malicious file.
     const auto at = std::min<std::ptrdiff_t>(slot - slots_.begin(), std::ssize(slots_.span()) - 1);
     return static_cast<std::uint32_t>(at) * Stencil::lanes + entry % Stencil::lanes;
 }
@@ -283,7 +283,7 @@ void Multigrid::reserve_pins(std::size_t count) {
             all_links_ += of_particle;
         }
     }
-    // All of them where they have the most springs; and each spring has two ends.
+    // `count` particles have at most this many links; and no link is listed more than once from each end.
     held_.reserve(std::min(count * most_links_, all_links_));
 }
 
@@ -304,7 +304,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
         if (held.spring != constant) springs_[held.spring] = {};
     coarse_.front().sum_links(parallel, springs_.span(), system.constant_scale());
     for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
-    // The bound of a level's own rows is no ground of the next one's, which has rows of its own.
+    // A level's bound is added after the sums: it is no ground of the next level, which has its own rows.
     for (CoarseLevel& level : coarse_) {
         level.add_bound_of_pairs();
         level.finish(parallel);
@@ -319,8 +319,8 @@ void Multigrid::gather_pairs(Parallel& parallel) {
         coarse_[k].pairs().gather(parallel, coarse_[k - 1].pairs(), coarse_[k].interpolation());
 }
 
-// Other cloth that touches this one holds it where it is: its pairs are added to the particles' rows of
-// ground, once a corner, which restriction then takes to the coarse nodes.
+// Other cloth that touches this one counts as fixed: its pairs are added to the ground of each corner's
+// particle, which restriction then takes to the coarse nodes.
 void Multigrid::hold_other_bodies() {
     const auto particles = static_cast<std::uint32_t>(pinned_.size());
     for (const PairRows::ActivePair& active : coarse_.front().pairs().listed()) {
@@ -338,7 +338,7 @@ void Multigrid::hold_other_bodies() {
 }
 
 void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
-    // The particles' rows are put where a cycle has its vectors: between cycles these are free.
+    // The particles' ground lies in the vectors of the cycle, which are unused between cycles.
     parallel.ranges(system.stencil().nodes, [&](const BlockRange& range) {
         ground_rows_block(range, system.right_side().data(), system.contacts(), smooth_.data(),
                           remainder_.data());
@@ -347,7 +347,7 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
     if (first.pairs().has_outer()) hold_other_bodies();
     first.sum_ground(parallel, smooth_.span(),
                      system.contacts() != nullptr ? remainder_.span() : std::span<const Vec4>());
-    // What holds a free particle holds the coarse nodes that it interpolates from.
+    // A spring to a pinned particle holds the coarse nodes that its free end is interpolated from.
     const Interpolation& p = first.interpolation();
     SymmetricRows& rows = first.matrix().ground_rows;
     for (const HeldSpring& held : held_) {
@@ -387,7 +387,7 @@ void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
 
 void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
     CoarseLevel& level = coarse_[k];
-    // Once on the largest of them, which costs as much as all others: a second step there gains less.
+    // One step on the first coarse level, which costs as much as all others: a second step there gains less.
     const bool once = k == 0;
     level.relax_from_zero(parallel, once ? first_coarse_step : coarse_smoothing.first.step);
     if (!once) level.relax(parallel, coarse_smoothing.second);

@@ -19,34 +19,33 @@ class Multigrid {
     /// and the pins. The system is to outlive the levels.
     Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
-    /// From levels that fit the system; no particle is pinned. Without memory of its own.
+    /// Takes over saved levels that fit the system. No particle is pinned; there is no memory of its own.
     Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles);
-    /// What is constant of these levels, shared with them.
+    /// The constant part of these levels, shared with them.
     [[nodiscard]] SavedLevels constant_part() const;
 
-    /// Another's levels for a system of the same springs: what is constant is shared.
+    /// A copy of the levels for a system of the same springs. Constant parts are shared.
     Multigrid(const Multigrid& other, const ImplicitSystem& system) : Multigrid(other) { system_ = &system; }
 
-    // Pinned particles have no part in coarse motions, and springs to them hold the coarse nodes. What is
-    // kept of pins does not depend on the order in which they came and went. Each call may run out of memory,
-    // and then has changed nothing.
+    // Pinned particles have no part in coarse motions, and springs to them hold the coarse nodes. The state
+    // of pins does not depend on the order of calls. A call that runs out of memory changes nothing.
     /// Does nothing if the particle is pinned.
     void pin(std::uint32_t particle);
-    /// Takes no memory. Does nothing if the particle is free.
+    /// Allocates nothing. Does nothing if the particle is free.
     void unpin(std::uint32_t particle) noexcept;
-    /// Those of inverse mass 0 are pinned, all others free.
+    /// Pins the particles of inverse mass 0 and frees all others.
     void set_pins(std::span<const Vec4> positions);
-    /// From then on so many particles can be pinned at a time without taking memory.
+    /// Reserves memory, so that up to `count` particles can be pinned at a time without allocation.
     void reserve_pins(std::size_t count);
 
-    /// Lays out the operators and vectors of a substep; for contact of the cloth with itself in up to so many
-    /// pairs.
+    /// Lays out the operators and vectors of a substep. `pairs`: the most pairs in which the cloth touches
+    /// itself.
     void lay_out(Scratch& scratch, std::size_t pairs);
-    /// The same in memory of its own, as levels have that were made, and copies have not.
+    /// lay_out() in memory of its own. Levels that were made have such memory; copies do not.
     void lay_out_alone(std::size_t pairs = 0) { own_scratch_.lay_out(*this, pairs); }
 
-    /// Lists the pairs that push the cloth, if there are any, for build(): its particles are numbered from
-    /// `first` on in these. Pairs are asked for them by one cloth at a time.
+    /// Lists the pairs that push the cloth, for build(); null: none. Pairs number its particles from `first`
+    /// on. Only one cloth at a time may call this for the same pairs.
     void list_pairs(PairRows* pairs, std::uint32_t first);
     /// Sums the coarse operators of the system's present W, and of the pairs that are listed.
     void build(Parallel& parallel, ImplicitSystem& system);
@@ -64,7 +63,7 @@ class Multigrid {
     struct HeldSpring {
         std::uint32_t pinned, neighbour;
         std::uint32_t spring;  // its place in springs_, or constant
-        float weight;          // of a constant one, see ImplicitSystem::constant_block
+        float weight;          // of a constant spring, see ImplicitSystem::constant_block
     };
     static constexpr std::uint32_t constant = ~0u;
     /// Links whose blocks are constant.
@@ -74,11 +73,11 @@ class Multigrid {
     };
     using HeldSprings = HookedVector<HeldSpring>;
 
-    /// `links`: of the finest level; numbers[k]: which of the constant ones the k-th is, or none.
+    /// `links`: those of the finest level; numbers[k]: the k-th link's number among constant ones, or none.
     void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const std::uint32_t> numbers);
     static constexpr std::uint32_t none = ~0u;
     void sum_constant(std::uint32_t coarse_link) noexcept;
-    /// Sums those again that a particle's links are in.
+    /// Sums the constants again that a particle's links are in.
     void sum_constants_at(std::uint32_t particle) noexcept;
     /// The place of a link of the finest level in springs_.
     [[nodiscard]] std::uint32_t spring_of(const Link& link) const;
@@ -89,7 +88,7 @@ class Multigrid {
     /// Writes the particle's springs from `at` on.
     void hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const;
     void mark(std::uint32_t particle, bool pinned) noexcept;
-    /// Whether those of inverse mass 0 are, and no others.
+    /// Whether the pinned particles are those of inverse mass 0.
     [[nodiscard]] bool are_pinned(std::span<const Vec4> positions) const;
     void gather_pairs(Parallel& parallel);
     void hold_other_bodies();
@@ -98,8 +97,8 @@ class Multigrid {
     void relax_and_correct(Parallel& parallel, std::size_t level);
 
     const ImplicitSystem* system_;
-    SharedBuffer<std::uint32_t> slots_;  // of the system: those with links at their first ends, ascending
-    ScratchArray<Vec4> springs_;         // of these slots: see ImplicitSystem::spring_blocks
+    SharedBuffer<std::uint32_t> slots_;  // the system's slots with links at their first ends, ascending
+    ScratchArray<Vec4> springs_;         // blocks of these slots, see ImplicitSystem::spring_blocks
     ConstantLinks constants_;
     HeldSprings held_;                    // ascending by pinned particle, then by neighbour
     AlignedBuffer<std::uint8_t> pinned_;  // 1 or 0
@@ -107,10 +106,10 @@ class Multigrid {
     std::vector<CoarseLevel> coarse_;
     ScratchArray<Vec4> smooth_, remainder_;
     OwnScratch own_scratch_;
-    bool has_pairs_ = false;     // it was laid out for any
-    std::uint32_t first_ = 0;    // of the cloth's particles in the pairs that are listed
-    bool has_pins_set_ = false;  // what follows from pins was made
-    // Of a particle that has the most, and of all; 0 until they were counted.
+    bool has_pairs_ = false;     // room for pairs was laid out
+    std::uint32_t first_ = 0;    // the cloth's first particle in the listed pairs
+    bool has_pins_set_ = false;  // the state of pins is known
+    // The most links of one particle, and the links of all; 0: not counted yet.
     std::uint32_t most_links_ = 0;
     std::size_t all_links_ = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What of a multilevel solver is constant, as bytes and back: it is used where it lies.
+// The constant part of a multilevel solver, to bytes and back: lists are used in place.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,24 +15,24 @@
 
 namespace weft {
 
-/// Lists as the solver's parts have them.
+/// The constant lists of the solver's parts.
 struct SavedLevels {
     SystemKind kind{ClothSettings()};  ///< of the system that they were made for
     SharedBuffer<std::uint32_t> slots;
     SharedBuffer<Link> constant_links;
     SharedBuffer<float> constant_weights;
-    SharedBuffer<float> constant_sums;           ///< where nothing is pinned; empty: to be found
+    SharedBuffer<float> constant_sums;           ///< without pins; empty: not known
     std::vector<CoarseLevel::Constants> levels;  ///< the finest first
     std::optional<SavedSprings> springs;         ///< the system, if it is of springs
 };
 
 void visit_lists(const SavedLevels& levels, PackedSize& size);
 void visit_lists(const SavedLevels& levels, PackedWriter& writer);
-/// Nothing: bytes are missing, or lists name what there is not. Those of elements may hold anything.
-/// Precondition: the model's lists name only what there is.
+/// Returns nothing if bytes are missing or indices are out of range. Lists of finite elements are not
+/// checked. Precondition: the indices in the model's lists are in range.
 [[nodiscard]] std::optional<SavedLevels> read_levels(PackedReader& reader, const ClothModel& model);
 
-/// Whether they name only what there is, in a system of so many particles and entries.
+/// Whether all indices are in range, in a system of so many particles and entries.
 [[nodiscard]] bool fit(const SavedLevels& levels, std::uint32_t particles, std::size_t entries);
 
 }  // namespace weft

@@ -48,7 +48,7 @@ class MultilevelSolver final : public Solver {
     [[nodiscard]] std::size_t bytes() const noexcept override;
 
   private:
-    SystemKind kind_;  // by which the system was made
+    SystemKind kind_;  // the kind that the system was made for
     std::unique_ptr<ImplicitSystem> system_;
     std::unique_ptr<Multigrid> multigrid_;
     PassVectors vectors_;

@@ -14,7 +14,7 @@ namespace weft {
 
 namespace {
 
-/// The directions of a pass. A later one that the earlier ones nearly span has no part in it.
+/// The directions of a pass. A later direction that the earlier ones nearly span gets coefficient 0.
 enum Direction : std::size_t { change, motion, correction, direction_count };
 using Coefficients = std::array<double, direction_count>;
 
@@ -52,8 +52,7 @@ Coefficients least_energy(const SmallSystem& s) {
     return c;
 }
 
-/// Velocities of a block's pinned particles, and momenta and energy of the others; last how many, and their
-/// mass.
+/// Sums over a block: velocities and number of the pinned particles; momenta, mass and energy of the others.
 VelocitySums sum_velocities(std::span<const Vec4> positions, const Vec4* velocities,
                             const BlockRange& range) {
     FourRows pinned = FourRows::Zero(), moving = FourRows::Zero();
@@ -76,7 +75,7 @@ VelocitySums sum_velocities(std::span<const Vec4> positions, const Vec4* velocit
         sums.pinned[k] = pinned.row(row).cast<double>().sum();
         sums.moving[k] = moving.row(row).cast<double>().sum();
     }
-    sums.pinned[3] -= (4 - range.end % 4) % 4;  // rows behind the last particle are no pins
+    sums.pinned[3] -= (4 - range.end % 4) % 4;  // padding rows are no pins
     return sums;
 }
 
@@ -95,17 +94,17 @@ class Passes {
   private:
     using Vector = ScratchArray<Vec4> PassVectors::*;
 
-    /// The members' that have features; null if none of these touch.
+    /// The pairs of members that have features; null if no features touch.
     [[nodiscard]] static PairRows* pairs_of(std::span<const PassMember> members);
     [[nodiscard]] bool has_pairs(const PassMember& member) const {
         return pairs_ != nullptr && member.step.equation.pairs != nullptr;
     }
-    /// work(member, threads): of many members side by side, of few by all threads one after the other.
+    /// work(member, threads): many members run side by side, few one after the other with all threads.
     template <class Work>
     void for_each_member(const Work& work);
     [[nodiscard]] double tolerated_energy(const Multilevel& method) const;
     void begin();
-    /// Of all members; velocities(member) is where they are.
+    /// Sums over all members, whose velocities are at velocities(member).
     template <class Velocities>
     [[nodiscard]] VelocitySums sum_all(const Velocities& velocities) const;
     [[nodiscard]] Vec4 frame_velocity() const;
@@ -116,7 +115,7 @@ class Passes {
     bool minimise(bool with_correction);
     void subtract(const Coefficients& c);
     void find_corrections();
-    /// W x of all members, unless `product` is null. with(member) is what x is dotted with.
+    /// product = W x of all members, unless `product` is null. with(member): what x is dotted with.
     template <class With>
     Products multiply(Vector x, Vector product, const With& with);
     double couple(Vector x, Vector product);
@@ -125,25 +124,25 @@ class Passes {
     void keep_momentum();
 
     std::span<const PassMember> members_;
-    const SolverStep& first_;  // what all members share is read from it
+    const SolverStep& first_;  // read for what is common to all members
     Parallel& parallel_;
     PairRows* pairs_;  // null: no features touch
     BodyCoupling* bodies_;
-    int passes_ = 0;   // that were taken
+    int passes_ = 0;   // passes taken so far
     double left_ = 0;  // energy that the last pass found beyond its first two directions [J]
 };
 
 }  // namespace
 
 // The energy that is left, b . P b, is the square of Newton's decrement (Deuflhard 2004, "Newton methods for
-// nonlinear problems"): a metric in which a stiff spring counts no more than a soft one. Two passes more than
-// asked for are taken where much is left. After the last pass the springs have turned, so r . v = 0 holds in
-// its linearisation only; where much is left, it is made true once more, without a cycle.
+// nonlinear problems"): a metric in which a stiff spring counts no more than a soft one. Where much is left,
+// up to two more passes are taken than asked for. After the last pass the springs have turned, so r . v = 0
+// holds in its linearisation only; where much is left, one more minimisation without a cycle restores it.
 //
-// BDF2 goes on with a third of what a step changed, and so with a third of what its solve left: limp cloth
+// BDF2 extrapolates a third of a step's velocity changes, and so a third of what its solve left: limp cloth
 // that crumples in a vacuum gained energy without end, unless solved by six times the passes. Where more than
-// a quarter of the energy of motion is left, the next step goes on with none of it. In flags of the default
-// fabric it is less, in any wind.
+// a quarter of the energy of motion is left, the next step extrapolates none of it. In flags of the default
+// fabric less is left, in any wind.
 SolveResult Passes::operator()() {
     constexpr int most_more = 2;
     constexpr double much = 0.02;   // of the tolerated energy: 5 to 6 m/s^2 by default
@@ -223,7 +222,7 @@ VelocitySums Passes::sum_all(const Velocities& velocities) const {
     return all;
 }
 
-/// The mean velocity of what is pinned, or else of all mass. What a group does as a whole is no whipping.
+/// The mean velocity of pinned particles, or else of all mass: the direction `motion` is relative to it.
 Vec4 Passes::frame_velocity() const {
     const VelocitySums all =
         sum_all([](const PassMember& member) { return member.step.equation.velocities.data(); });
@@ -311,7 +310,7 @@ bool Passes::minimise(bool with_correction) {
     return true;
 }
 
-/// b -= W (the part of the step that these directions are), whose w stays.
+/// b -= W times the step along these directions; w stays.
 void Passes::subtract(const Coefficients& c) {
     const auto part = [&](Direction d) -> FourRows {
         const auto by = static_cast<float>(c[d]);
@@ -350,7 +349,7 @@ Products Passes::multiply(Vector x, Vector product, const With& with) {
     return sum;
 }
 
-/// Adds what features and bodies do to the product, if it is wanted. Returns x . that.
+/// Adds the terms of features and bodies to the product, unless it is null. Returns their dot product with x.
 double Passes::couple(Vector x, Vector product) {
     double sum = 0;
     if (pairs_ != nullptr) {
@@ -393,7 +392,7 @@ void Passes::move(const Coefficients& c) {
     });
 }
 
-/// A piece that is held in whole has no row of its own, but corners of pairs.
+/// Whether a pair that pushes has a corner that is not free: a piece held in whole shows up only so.
 bool Passes::touches_what_is_held() const {
     const auto is_free = [&](std::uint32_t particle) {
         return std::ranges::any_of(members_, [&](const PassMember& member) {

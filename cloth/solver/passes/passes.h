@@ -14,10 +14,10 @@
 
 namespace weft {
 
-/// Sums over particles: of velocities in the first three, of what they are weighted by in the last.
+/// Sums over particles: weighted velocities in the first three, the weights in the last.
 struct VelocitySums {
     std::array<double, 4> pinned{}, moving{};
-    double energy = 0;  ///< kinetic, of those that are not pinned [J]
+    double energy = 0;  ///< kinetic energy of particles that are not pinned [J]
 
     friend VelocitySums operator+(VelocitySums l, const VelocitySums& r) {
         for (std::size_t k = 0; k < 4; ++k) {
@@ -38,11 +38,11 @@ struct PassVectors {
     }
 
     ScratchArray<Vec4> motion;                ///< velocity in the group's frame [m/s]
-    ScratchArray<Vec4> change;                ///< of the velocity, in the last pass [m/s]
-    ScratchArray<Vec4> correction;            ///< by a multigrid cycle, of what these two leave [m/s]
-    ScratchArray<Vec4> of_motion, of_change;  ///< W times these [kg m/s]
-    ScratchArray<VelocitySums> partials;      ///< of blocks
-    Products products;                        ///< of the multiplication that was last
+    ScratchArray<Vec4> change;                ///< change of velocity in the last pass [m/s]
+    ScratchArray<Vec4> correction;            ///< by a multigrid cycle, from the residual of these two [m/s]
+    ScratchArray<Vec4> of_motion, of_change;  ///< W times motion and change [kg m/s]
+    ScratchArray<VelocitySums> partials;      ///< by block
+    Products products;                        ///< of the last multiplication
 };
 
 /// A cloth of a group: its step, and what its solver owns.
@@ -57,7 +57,7 @@ struct PassMember {
 };
 
 /// Solves the steps of cloths that touch as one equation. Precondition: gamma, pairs, bodies and threads are
-/// the same in all. The first one's settings say how many passes there are. Each member's residual is written
+/// the same in all. The first member's settings give the number of passes. Each member's residual is written
 /// to `residuals`, unless these are empty; the result's is the greatest.
 SolveResult solve_by_passes(std::span<const PassMember> members, std::span<float> residuals);
 

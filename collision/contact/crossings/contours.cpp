@@ -12,7 +12,7 @@ std::size_t body_of(std::span<const ContactBody> bodies, std::uint32_t particle)
 
 namespace {
 
-/// Its place in the mesh.
+/// Index in the mesh of the triangle that has these corners.
 std::uint32_t triangle_with(const ContactBody& body, const std::array<std::uint32_t, 3>& corners) {
     for (const std::uint32_t t : body.mesh->triangles_of(corners[0] - body.first)) {
         const ContactMesh::Triangle& other = body.mesh->triangles()[t];
@@ -24,7 +24,7 @@ std::uint32_t triangle_with(const ContactBody& body, const std::array<std::uint3
     return 0;
 }
 
-// An edge of more triangles than this is no cloth's, and is part of the curve with as many.
+// Room for segments: an edge of cloth has at most two triangles. Segments beyond the room are left out.
 constexpr std::size_t segments_per_crossing = 2;
 
 }  // namespace
@@ -45,7 +45,7 @@ void Contours::trace(std::span<const ContactBody> bodies, std::span<const Crossi
     for (std::uint32_t s = 0; s + 1 < segment_count_; ++s)
         if (segments_[s].triangles == segments_[s + 1].triangles) join(segments_[s], segments_[s + 1]);
 
-    // The lower of two roots is the one that stays, so a contour's first crossing is its root.
+    // join() keeps the lower of two roots, so a contour's first crossing is its root.
     size_ = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
         const Root root = root_of(k);
@@ -79,7 +79,7 @@ void Contours::find_segments(std::span<const ContactBody> bodies, std::span<cons
     });
 }
 
-// Path compression; each crossing's side is against its parent's.
+// Finds the root, with path compression. A crossing's side is relative to its parent's.
 Contours::Root Contours::root_of(std::uint32_t crossing) {
     std::uint32_t root = crossing, side = 0;
     for (; parents_[root] != root; root = parents_[root]) side ^= sides_[root];
@@ -93,8 +93,8 @@ Contours::Root Contours::root_of(std::uint32_t crossing) {
     return {root, side};
 }
 
-// The edge of one crossing may be of one triangle, that of the other of the other. Where a surface meets
-// itself at both ends of a curve the sides may not agree all along; then those found first count.
+// The edges of two crossings may belong to different triangles of the two: their sides then differ. Along the
+// contour of a surface that crosses itself, sides may disagree; those joined first count.
 void Contours::join(const Segment& a, const Segment& b) {
     const Root of_a = root_of(a.crossing), of_b = root_of(b.crossing);
     if (of_a.crossing == of_b.crossing) return;

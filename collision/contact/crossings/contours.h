@@ -1,5 +1,5 @@
 #pragma once
-// Where surfaces cross, as curves: crossings of edges and triangles, put together.
+// Contours: the curves along which surfaces cross, assembled from crossings of edges and triangles.
 
 #include <array>
 #include <cstdint>
@@ -11,27 +11,27 @@
 
 namespace weft {
 
-/// Two triangles that cross share a segment of a curve, and each end of it is where an edge of one goes
-/// through the other. So two crossings of the same two triangles follow one another on their curve. Of the
-/// two surfaces that cross along it, one is side 0 all along and the other is side 1.
+/// Two triangles that cross share a segment of a curve; at each of its ends, an edge of one passes through
+/// the other. Two crossings of the same two triangles are therefore neighbours on their curve. One of the two
+/// surfaces that cross along a contour is side 0 throughout, the other is side 1.
 class Contours {
   public:
     void lay_out(Scratch& scratch, std::size_t bodies, std::size_t crossings);
 
-    /// Crossings must be those of these bodies, no more than reserved for.
+    /// Assembles the contours. The crossings must be those of these bodies, no more than lay_out() reserved.
     void trace(std::span<const ContactBody> bodies, std::span<const Crossing> crossings);
 
     [[nodiscard]] std::uint32_t size() const noexcept { return size_; }  ///< contours
-    /// Numbered in the order in which their first crossings are listed.
+    /// The crossing's contour. Contours are numbered in the order in which their first crossings are listed.
     [[nodiscard]] std::uint32_t contour_of(std::uint32_t crossing) const noexcept {
         return contours_[crossing];
     }
-    /// visit(crossing) for those of a contour, ascending.
+    /// Calls visit(crossing) for the crossings of a contour, in ascending order.
     template <class Visit>
     void for_each_crossing(std::uint32_t contour, const Visit& visit) const {
         for (std::uint32_t k = firsts_[contour]; k != none; k = next_[k]) visit(k);
     }
-    /// On which side the crossing's edge is. The triangle is on the other.
+    /// The side, 0 or 1, of the crossing's edge. The triangle belongs to the other side.
     [[nodiscard]] std::uint32_t side_of_edge(std::uint32_t crossing) const noexcept {
         return sides_[crossing];
     }
@@ -39,7 +39,7 @@ class Contours {
   private:
     static constexpr std::uint32_t none = ~0u;
     struct Segment {
-        std::uint64_t triangles;  // the lower, then the higher
+        std::uint64_t triangles;  // the lower index in the upper 32 bits, the higher in the lower
         std::uint32_t crossing;
         std::uint32_t edge_is_of_higher;
     };
@@ -50,18 +50,18 @@ class Contours {
     Root root_of(std::uint32_t crossing);
     void join(const Segment& a, const Segment& b);
 
-    ScratchArray<std::uint32_t> first_triangle_;  // of bodies
+    ScratchArray<std::uint32_t> first_triangle_;  // per body: index of its first triangle among all
     ScratchArray<Segment> segments_;
     std::uint32_t segment_count_ = 0;
-    ScratchArray<std::uint32_t> parents_, sides_, contours_;  // of crossings; sides: against the parent's
-    ScratchArray<std::uint32_t> firsts_, next_;  // of contours, of crossings: those of a contour, as a list
+    ScratchArray<std::uint32_t> parents_, sides_, contours_;  // per crossing; sides_: against the parent
+    ScratchArray<std::uint32_t> firsts_, next_;               // linked lists: contour's head, crossing's next
     std::uint32_t size_ = 0;
 };
 
-/// Which of the bodies, in ascending order of their first particles, has the particle.
+/// Index of the body that has the particle. The bodies must ascend by their first particles.
 [[nodiscard]] std::size_t body_of(std::span<const ContactBody> bodies, std::uint32_t particle);
 
-/// visit(triangle of the mesh, third corner of all bodies) for the triangles beside an edge.
+/// Calls visit(triangle of the mesh, third corner among all bodies) for the triangles beside an edge.
 template <class Visit>
 void for_each_beside(const ContactBody& body, const std::array<std::uint32_t, 2>& edge, const Visit& visit) {
     const std::uint32_t a = edge[0] - body.first, b = edge[1] - body.first;

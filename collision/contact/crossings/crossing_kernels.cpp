@@ -19,8 +19,7 @@ namespace weft::HWY_NAMESPACE {
 namespace {
 
 /// Whether the ends of the edge lie strictly on two sides of the triangle's plane, and the line through them
-/// meets the triangle or its border. So an edge that ends on the triangle, or lies in its plane, only
-/// touches.
+/// meets the triangle or its border. An edge that ends on the triangle, or lies in its plane, only touches.
 bool crosses(const Vec4* positions, const Crossing& c) {
     const auto sign = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) {
         return volume_sign(positions[i], positions[j], positions[k], positions[l]);
@@ -53,15 +52,15 @@ struct CrossingCollector {
 
     HWY_INLINE CrossingCollector(const PairSearch& s, Found<Crossing>& f) : search(s), found(f) {}
 
-    /// A plane across one of five axes separates edge and triangle, by more than rounding can feign: the
-    /// triangle's normal, or, within its plane, what is across its sides and across the edge. So the features
-    /// of flat pieces, which no sign of a volume tells apart, need no volumes.
+    /// Whether a plane across one of five axes separates edge and triangle by more than the rounding error.
+    /// The axes are the triangle's normal and, in its plane, the normals of its three sides and of the edge.
+    /// Features of flat pieces, which no sign of a volume separates, thus need no volumes.
     HWY_INLINE hn::Mask<Tag> surely_apart(std::uint32_t k) const {
         const auto point = [&](std::uint32_t c)
                                HWY_ATTR { return gather_rows(search.positions, candidates.corners[c] + k); };
         const Lanes3 a = point(2), b = point(3) - a, c = point(4) - a, p = point(0) - a, q = point(1) - a;
         const Lanes3 normal = cross(b, c);
-        // Some units in the last place of each product that makes up a value along an axis.
+        // The rounding error: some units in the last place of each product in a value along an axis.
         const Lanes width = hn::Max(hn::Max(sum_of_absolutes(b), sum_of_absolutes(c)),
                                     hn::Max(sum_of_absolutes(p), sum_of_absolutes(q)));
         const auto rounding = [&](Lanes axis) HWY_ATTR {

@@ -41,7 +41,7 @@ void SideVote::join(std::uint32_t particle, std::uint32_t side) {
     members_[member_count_++] = {particle, side};
 }
 
-/// Whether a triangle near the particle is of the other surface, as far as that is known. Then all of it is.
+/// Whether a triangle near the particle has a corner on the other side. All its corners then join that side.
 bool SideVote::meets(std::uint32_t particle, std::uint32_t side) {
     bool meets = false;
     for (const std::uint32_t k : pairs_of(particle)) {
@@ -53,7 +53,7 @@ bool SideVote::meets(std::uint32_t particle, std::uint32_t side) {
     return meets;
 }
 
-// To neighbours that are near the other surface, too.
+// The member's neighbours that are near the other surface join its side.
 void SideVote::spread(const Member& member) {
     const ContactBody& body = bodies_[body_of(bodies_, member.particle)];
     for (const std::uint32_t t : body.mesh->triangles_of(member.particle - body.first))
@@ -85,9 +85,9 @@ SideVote::Result SideVote::of(std::uint32_t contour, std::span<const Crossing> c
     return {.side = above == below ? 0.0f : above > below ? 1.0f : -1.0f, .minority = std::min(above, below)};
 }
 
-/// Positive where side 0 lies above side 1; 0: of no account.
+/// A pair's vote: positive where side 0 lies above side 1, 0 where the pair does not count.
 float SideVote::opinion_of(const Member& member, std::uint32_t pair) const {
-    if (is_on(member.particle, 1 - member.side)) return 0;  // of a surface that meets itself
+    if (is_on(member.particle, 1 - member.side)) return 0;  // a surface that crosses itself
     const FeaturePair& its = pairs_->pairs[pair];
     const PairShape& shape = pairs_->shapes[pair];
     if (!(shape.normal.w > 0) || !any_corner_is_on(its, 1 - member.side)) return 0;
@@ -101,7 +101,7 @@ Vector3 SideVote::normal_at(std::uint32_t particle) const {
     return surface_at(bodies_[body_of(bodies_, particle)], positions_, particle).normal;
 }
 
-// Side 0 goes along side 1's normals, or side 1 the opposite way.
+// Side 0 moves along side 1's normals, or side 1 moves against them.
 Vector3 SideVote::way_of(const Crossing& crossing, std::uint32_t side_of_edge, float side) const {
     const auto at = [&](std::uint32_t i) { return xyz(positions_[i]); };
     const auto& [edge, triangle] = crossing;

@@ -1,5 +1,5 @@
 #pragma once
-// How a body's surface lies around one of its particles.
+// Normal and neighbourhood of a body's surface at one of its particles.
 
 #include <cstdint>
 #include <span>
@@ -12,12 +12,12 @@ namespace weft {
 
 struct SurfaceAt {
     Vector3 normal = Vector3::Zero();  ///< sum of twice the area vectors of the particle's triangles [m^2]
-    float area = 0;                    ///< sum of their lengths [m^2]
+    float area = 0;                    ///< sum of the lengths of these vectors [m^2]
     Vector3 ring = Vector3::Zero();    ///< from the particle to the mean of its triangles' other corners [m]
-    float length = 0;                  ///< of the edges to these, in the mean [m]
+    float length = 0;                  ///< mean distance to these corners [m]
 };
 
-/// `particle` and `positions` are of all bodies'.
+/// `particle` is numbered through all bodies, as are `positions`.
 [[nodiscard]] inline SurfaceAt surface_at(const ContactBody& body, std::span<const Vec4> positions,
                                           std::uint32_t particle) {
     SurfaceAt at;

@@ -7,11 +7,11 @@ namespace weft {
 
 namespace {
 
-// What has come apart is let alone for some steps more, lest it be caught in the next crossing.
+// Separated features stay exempt for this number of steps, so that the next crossing does not catch them.
 constexpr std::uint32_t steps_remembered = 2;
-// A contour that has not become shorter for as long goes where votes say [s] ...
+// A contour that has not become shorter for this time [s] is directed by votes.
 constexpr float patience_without_votes = 0.33f;
-// ... and where it does not then, it is not pushed any more: it would only jitter.
+// A contour that has not become shorter for this time [s], with votes, is not pushed: it would only jitter.
 constexpr float patience = 1;
 
 // Room for labels, per particle: few are near more than one contour.
@@ -59,7 +59,7 @@ void Tangles::recall(std::span<const ContactBody> bodies, std::span<const Tangle
     counts_ = {};
 }
 
-// A contour's size is how many crossings it has.
+// Collects the particles of each contour, and counts its crossings in `least`.
 void Tangles::find_core(std::span<const Crossing> crossings) {
     core_size_ = 0;
     std::fill_n(of_contours_.data(), contours_.size(), TangleMemory{});
@@ -76,7 +76,7 @@ void Tangles::find_core(std::span<const Crossing> crossings) {
     core_size_ -= static_cast<std::uint32_t>(std::ranges::unique(core).size());
 }
 
-// The lowest name that any of its particles remembers, or a new one.
+// A contour takes the lowest name that any of its particles remembers, or a new one.
 void Tangles::name_contours(const Start& start, std::span<const Crossing> crossings,
                             std::span<const TangleMemory> memory) {
     bool has_voted = false;
@@ -103,7 +103,7 @@ void Tangles::name_contours(const Start& start, std::span<const Crossing> crossi
     }
 }
 
-/// Returns how many votes lost.
+/// Directs the contour's rows by votes. Returns the number of votes for the other side.
 std::uint32_t Tangles::push_by_votes(std::uint32_t contour, std::span<const Crossing> crossings) {
     const SideVote::Result result = side_vote_.of(contour, crossings, contours_);
     const std::span<UntanglingRow> rows = untangling_.rows();
@@ -114,7 +114,7 @@ std::uint32_t Tangles::push_by_votes(std::uint32_t contour, std::span<const Cros
     return result.minority;
 }
 
-// One ring around, since features next to a crossing are the next to cross.
+// Labels the core and one ring around it: features next to a crossing are the next to cross.
 void Tangles::dilate(std::span<const ContactBody> bodies) {
     label_count_ = 0;
     std::ranges::fill(marks_.span(), 0u);
@@ -136,7 +136,7 @@ void Tangles::dilate(std::span<const ContactBody> bodies) {
         label_ends_[i] = std::max(label_ends_[i], label_ends_[i - 1]);
 }
 
-// Of the contours that it is near, the one with the lowest name.
+// A particle near several contours remembers the one with the lowest name.
 void Tangles::remember(std::span<TangleMemory> memory) {
     for (std::uint32_t k = 0, next; k < label_count_; k = next) {
         const std::uint32_t i = labels_[k].particle;

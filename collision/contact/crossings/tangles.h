@@ -1,6 +1,6 @@
 #pragma once
-// Cloth that crosses cloth at the start of a step. What never lets anything cross would hold it so for ever:
-// so it is told which pairs to let alone, and what crosses is pushed apart.
+// Tangles: cloth that crosses cloth at the start of a step. The contact response lets nothing cross and would
+// preserve them for ever: their pairs are exempt from it, and the crossing surfaces are pushed apart.
 
 #include <cstdint>
 #include <span>
@@ -16,13 +16,13 @@
 
 namespace weft {
 
-/// What a particle remembers of the contour that it was last near; all 0: of none.
+/// A particle's record of the contour that it was last near; all 0 without one.
 struct TangleMemory {
-    std::uint32_t name;   ///< of the contour: it keeps it from step to step
-    std::uint32_t steps;  ///< without a contour until it is forgotten
-    std::uint32_t least;  ///< crossings that the contour had at its shortest; see `votes`
-    std::uint32_t votes;  ///< 1: it goes where votes say, and those of the minority count as crossings
-    float stalled;        ///< for how long it has not become shorter [s]
+    std::uint32_t name;   ///< the contour's number, which it keeps from step to step
+    std::uint32_t steps;  ///< steps away from any contour until the record is erased
+    std::uint32_t least;  ///< fewest crossings that the contour has had; see `votes`
+    std::uint32_t votes;  ///< 1: votes direct the contour, and votes of the minority count as crossings
+    float stalled;        ///< time for which the contour has not become shorter [s]
 };
 
 struct TangleCounts {
@@ -37,22 +37,22 @@ class Tangles {
     };
     void lay_out(Scratch& scratch, const Room& room);
 
-    /// A step's start.
+    /// State at the start of a step.
     struct Start {
         std::span<const ContactBody> bodies;
         std::span<const Vec4> positions;
-        const PairList& near;  ///< within the reach of what pushes features apart
-        float h;               ///< of the step [s]
+        const PairList& near;  ///< pairs within the reach of the forces that push features apart
+        float h;               ///< length of the step [s]
     };
-    /// What crosses there. `memory` is of all bodies' particles, in and out. Crossings must be all there
-    /// are; where more are listed than reserved for, the rest stay as they are.
+    /// Finds the contours, makes their rows, and updates `memory`, which is of all bodies' particles.
+    /// `crossings` must be complete; those beyond the reserved room stay as they are.
     void find(const Start& start, const CrossingList& crossings, std::span<TangleMemory> memory);
-    /// Without a search: what particles remember of one.
+    /// Takes the tangles from the particles' memory, without a search: there are exempt pairs, but no rows.
     void recall(std::span<const ContactBody> bodies, std::span<const TangleMemory> memory);
-    /// Nothing crosses, or did of late.
+    /// For a step without crossings now or in the remembered steps.
     void clear() noexcept { active_ = false; }
 
-    /// Whether anything crosses, or did of late; else no pair is exempt.
+    /// Whether anything crosses, or did in the remembered steps. If not, no pair is exempt.
     [[nodiscard]] bool any() const noexcept { return active_; }
     /// exempt[pair] = 1 where both features are near a common contour, else 0.
     void exempt(Parallel& parallel, const PairList& pairs, std::span<std::uint8_t> exempt) const;
@@ -80,11 +80,11 @@ class Tangles {
     Contours contours_;
     Untangling untangling_;
     SideVote side_vote_;
-    ScratchArray<Label> core_;                // of crossing features: by contour, then particle
-    ScratchArray<Label> labels_;              // with those near them: by particle
-    ScratchArray<std::uint32_t> label_ends_;  // of particles; the first is where the one before ends
-    ScratchArray<std::uint32_t> names_;       // of particles; 0: without one
-    ScratchArray<std::uint32_t> marks_;       // of particles: the last contour that has it, plus one
+    ScratchArray<Label> core_;                // corners of crossing features: by contour, then particle
+    ScratchArray<Label> labels_;              // these and the ring around them: by particle
+    ScratchArray<std::uint32_t> label_ends_;  // per particle: end of its labels, begin of the next one's
+    ScratchArray<std::uint32_t> names_;       // per particle: the remembered name, 0: none
+    ScratchArray<std::uint32_t> marks_;       // per particle: the last contour that labelled it, plus one
     ScratchArray<TangleMemory> of_contours_;
     std::uint32_t core_size_ = 0, label_count_ = 0;
     TangleCounts counts_;

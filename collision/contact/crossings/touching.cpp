@@ -11,20 +11,20 @@ namespace weft {
 
 namespace {
 
-// A gap of less than this part of the largest coordinate is rounding.
+// A gap of less than this fraction of the largest coordinate is rounding.
 constexpr float rounding_per_coordinate = 1e-7f;
 
-// A surface stands on another where it leaves its plane by this part of the length of its edges.
+// A surface stands on another if it rises from the other's plane by this fraction of its edges' length.
 constexpr float least_rise = 0.1f;
 
-// Normals are noise where triangles that face opposite ways cancel, as along a fold.
+// A mean normal shorter than this is noise: triangles that face opposite ways cancel, as along a fold.
 constexpr float least_normal = 0.1f;
 
 /// The surface around one side of a pair.
 struct Side {
     Vector3 normal = Vector3::Zero();  ///< of unit length, or 0 along a fold
-    Vector3 ring = Vector3::Zero();    ///< to the mean of what lies around [m]
-    float length = 0;                  ///< of the edges [m]
+    Vector3 ring = Vector3::Zero();    ///< to the mean of the neighbouring corners [m]
+    float length = 0;                  ///< mean length of the edges [m]
 };
 
 class TouchingPairs {
@@ -35,7 +35,7 @@ class TouchingPairs {
             largest_ = std::max({largest_, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
     }
 
-    /// visit(pair, shape, corners of A) for those that touch.
+    /// Calls visit(pair, shape, corners of A) for the pairs that touch.
     template <class Visit>
     void for_each(const PairList& pairs, const Visit& visit) const {
         for (std::uint32_t k = 0; k < pairs.size; ++k) {
@@ -44,7 +44,7 @@ class TouchingPairs {
             if (is_touching(pair, shape)) visit(pair, shape, pairs.corners_of_a(k));
         }
     }
-    /// Where A is to go against B, of unit length; 0: nobody can tell. `both`: B goes the opposite way, too.
+    /// Unit direction in which A moves relative to B; 0: undetermined. `both`: B moves the opposite way.
     [[nodiscard]] Vector3 way_of_a(const FeaturePair& pair, const PairShape& shape,
                                    std::uint32_t corners_of_a, bool& both) const {
         const Side a = side_of(pair, shape, 0, corners_of_a), b = side_of(pair, shape, corners_of_a, 4);
@@ -63,7 +63,7 @@ class TouchingPairs {
     }
 
   private:
-    /// Most pairs are farther apart than the largest coordinate of all is rounded, which takes no gathering.
+    /// The rounding of the largest coordinate of all rejects most pairs, and needs no gathering.
     [[nodiscard]] bool is_touching(const FeaturePair& pair, const PairShape& shape) const {
         if (std::abs(shape.normal.w) > rounding_per_coordinate * largest_) return false;
         float largest = 0;
@@ -97,10 +97,10 @@ class TouchingPairs {
 
     std::span<const ContactBody> bodies_;
     std::span<const Vec4> positions_;
-    float largest_ = 0;  // coordinate [m]
+    float largest_ = 0;  // largest coordinate [m]
 };
 
-/// Sums, of each particle, where pairs tell it to go. Returns whether any does.
+/// Sums the directions in which pairs move each particle. Returns whether any pair touches.
 bool gather_ways(const TouchingPairs& touching, const PairList& pairs, std::span<Vec4> ways) {
     bool any = false;
     touching.for_each(pairs, [&](const FeaturePair& pair, const PairShape& shape, std::uint32_t of_a) {

@@ -10,11 +10,11 @@
 
 namespace weft {
 
-/// Moves features that touch within rounding `distance` [m] apart: of each pair the one of the later body,
-/// off the surface that it stands on or, where both lie along one surface, out on its front. Layers that face
-/// opposite ways go both out on their fronts; layers of one body that face the same way stay. `ways` is
-/// scratch. Both spans are of all bodies' particles.
-/// Returns whether anything moved. Of n layers at one place, all are apart after n - 1 calls.
+/// Moves features that touch within rounding `distance` [m] apart. Of each pair, the feature of the later
+/// body moves off the surface on which it stands or, where both lie along one surface, out of its front.
+/// Layers that face opposite ways both move out of their fronts; layers of one body that face the same way
+/// stay. `ways` is scratch. Both spans are of all bodies' particles.
+/// Returns whether anything moved. n layers at one place are apart after n - 1 calls.
 bool part_touching(std::span<const ContactBody> bodies, const PairList& pairs, float distance,
                    std::span<Vec4> positions, std::span<Vec4> ways);
 

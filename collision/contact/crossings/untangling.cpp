@@ -7,12 +7,13 @@ namespace weft {
 
 namespace {
 
-// How far apart crossing features are to go in one step, of their edge: more would throw them.
+// Depth of a row per length of its edge: a greater one would throw the features.
 constexpr float depth_per_edge = 0.25f;
-// Where the edge lies in the triangle's plane as much as this, no motion along it moves the crossing.
+// Least |E . N| of a direction with its second term. Below it, the edge lies in the triangle's plane.
 constexpr float least_slope = 1e-2f;
-// Where the mean of what a contour's crossings want is shorter than this, they hardly agree: a straight
-// contour has ways for its ends alone, along itself, and would send one sheet sideways off the other.
+// Least length of a contour's mean direction at which its rows keep their depth. Below it, the crossings
+// hardly agree: a straight contour has directions at its ends alone, along itself, and they would push one
+// sheet sideways off the other.
 constexpr float full_agreement = 0.05f;
 
 Vector3 unit(const Vector3& v) {
@@ -20,12 +21,12 @@ Vector3 unit(const Vector3& v) {
     return squared > 0 && std::isfinite(squared) ? Vector3(v / std::sqrt(squared)) : Vector3(0, 0, 0);
 }
 
-/// 0 .. 1; a half where nothing tells.
+/// `of / whole`, within 0 .. 1; a half where `whole` is 0.
 float part(float of, float whole) {
     return whole != 0 ? std::clamp(of / whole, 0.0f, 1.0f) : 0.5f;
 }
 
-/// Where the edge goes through the triangle.
+/// Weights of the point where the edge passes through the triangle.
 std::array<float, 5> weights_of(const Vector3& p, const Vector3& q, const std::array<Vector3, 3>& t,
                                 const Vector3& across) {
     const float s = part(across.dot(t[0] - p), across.dot(q - p));
@@ -44,8 +45,8 @@ std::array<float, 5> weights_of(const Vector3& p, const Vector3& q, const std::a
     return {1 - s, s, -w[0] / sum, -w[1] / sum, -w[2] / sum};
 }
 
-/// Volino & Magnenat-Thalmann 2006: R_f is along the curve into triangle f beside the edge, and
-/// G = sum over f of R_f - 2 N (E . R_f) / (E . N).
+/// Volino & Magnenat-Thalmann 2006: R_f points along the curve into triangle f beside the edge, and G = sum
+/// over f of R_f - 2 N (E . R_f) / (E . N).
 Vector3 direction_of(const ContactBody& body, const Crossing& crossing, std::span<const Vec4> positions,
                      const Vector3& across) {
     const Vector3 p = xyz(positions[crossing.edge[0]]), q = xyz(positions[crossing.edge[1]]);
@@ -60,7 +61,7 @@ Vector3 direction_of(const ContactBody& body, const Crossing& crossing, std::spa
         sum += curve;
         if (std::abs(slope) > least_slope) sum -= 2 * along.dot(curve) / slope * normal;
     });
-    // Where the curve is straight nothing is left but rounding, which is not to be made a direction.
+    // A straight curve leaves nothing but rounding errors, which must not become a unit direction.
     return sum.squaredNorm() > 1 ? unit(sum) : sum;
 }
 

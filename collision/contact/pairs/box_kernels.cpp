@@ -36,7 +36,7 @@ HWY_INLINE void store_boxes(const BoxLanes& box, Boxes& boxes, std::uint32_t fir
     hn::Store(box.upper.z, d, boxes.upper_z + first);
 }
 
-/// Where a body's particles are and go.
+/// Positions and motions of a body's particles.
 struct Moving {
     const Vec4* positions;
     const Vec4* motions;
@@ -52,13 +52,13 @@ HWY_INLINE BoxLanes either(Mask mask, const BoxLanes& yes, const BoxLanes& no) {
     return {either(mask, yes.lower, no.lower), either(mask, yes.upper, no.upper)};
 }
 
-/// What is around features over their motion, around the motions themselves, and whether all is finite.
+/// Boxes around features over their motion, and around the motions; whether all corners are finite.
 struct Placed {
     BoxLanes box, motion;
     hn::Mask<Tag> finite;
 };
 
-/// Of the features in the slots from `slot` on.
+/// The boxes of the features in the slots from `slot` on.
 template <std::uint32_t corner_count>
 HWY_INLINE Placed place_lanes(const Moving& moving, const FeatureSlots<corner_count>& slots,
                               std::uint32_t slot) {
@@ -90,11 +90,11 @@ HWY_INLINE void place(const Moving& moving, const FeatureSlots<corner_count>& sl
         const auto used = hn::And(here.finite, hn::FirstN(Tag(), span.count - k));
         store_boxes(either(used, here.box, nowhere()), groups[(span.first + k) / 16], k % 16);
     }
-    for (; k % 16 != 0; k += part_lanes)  // whole groups are read
+    for (; k % 16 != 0; k += part_lanes)  // padding: whole groups are read
         store_boxes(nowhere(), groups[(span.first + k) / 16], k % 16);
 }
 
-/// Around all corners of a patch.
+/// The boxes around all corners of a patch.
 HWY_INLINE Placed place_corners(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span) {
     Placed all{nowhere(), nowhere(), hn::FirstN(Tag(), part_lanes)};
     for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
@@ -107,7 +107,7 @@ HWY_INLINE Placed place_corners(const Moving& moving, const ContactMesh& mesh, c
     return all;
 }
 
-/// The sides of triangles from their first corner, or how these change.
+/// The sides of triangles from their first corner, or the changes of these.
 struct SideLanes {
     Lanes3 a, b;
 
@@ -118,7 +118,7 @@ struct SideLanes {
     }
 };
 
-/// Sums of six values over slots, in the same order whatever a register's lanes are.
+/// Sums of six values over slots, in an order that does not depend on a register's number of lanes.
 class SumOfSlots {
   public:
     HWY_INLINE SumOfSlots() {
@@ -148,7 +148,7 @@ class SumOfSlots {
 HWY_INLINE ChartFrame place_gradients(const Moving& moving, const ContactMesh& mesh, const SlotSpan& span,
                                       TriangleGradients* groups) {
     const Tag d;
-    constexpr float most2 = 400;  // beyond it, rounding counts
+    constexpr float most2 = 400;  // squared norm beyond which rounding counts
     SumOfSlots sums;
     for (std::uint32_t k = 0; k < span.count; k += part_lanes) {
         const std::uint32_t slot = span.first + k;
@@ -178,7 +178,7 @@ HWY_INLINE ChartFrame place_gradients(const Moving& moving, const ContactMesh& m
     return sums.total();
 }
 
-/// Whether R w . F w is greater than half of `twice_least` for every unit vector w, of all these triangles.
+/// Whether R w . F w is greater than half of `twice_least` for every unit vector w, for all these triangles.
 /// (ru, rv) is R.
 HWY_INLINE bool keep_apart(const float (&gradients)[6][16], std::uint32_t triangles, const Lanes3& ru,
                            const Lanes3& rv, Lanes twice_least) {
@@ -201,8 +201,8 @@ HWY_INLINE bool keep_apart(const float (&gradients)[6][16], std::uint32_t triang
 /// Whether no features of two neighbours that share no vertex come within reach.
 HWY_INLINE bool are_calm(const PairSearch& search, const SearchedBody& body, const PatchNeighbours& pair,
                          const PatchStrain& a, const PatchStrain& b, const TriangleGradients* gradients) {
-    // Margins: for rounding, for a border that is not quite convex, for triangles that cover by next to
-    // nothing.
+    // The factors are margins for rounding, for a border that is not quite convex, and for triangles that are
+    // left out because they cover next to nothing.
     const float reach = body.reach + (search.together ? 0 : a.spread_with(b));
     const float enough = 1.001f * reach / (0.97f * pair.height);
     if (!(enough < 1)) return false;
@@ -227,7 +227,7 @@ HWY_INLINE Moving moving_of(const PairSearch& search, const SearchedBody& body) 
             set(half_reach_of(body))};
 }
 
-/// visit(k, patch, body, moving) for the patches of a block.
+/// Calls visit(k, patch, body, moving) for the patches of a block.
 template <class Visit>
 HWY_INLINE void for_each_patch(const PairSearch& search, std::uint32_t block, const Visit& visit) {
     const PatchBlock& patches = search.blocks[block];
@@ -249,14 +249,14 @@ Bounds place_around(const PairSearch& search, std::uint32_t block, FeatureBoxes&
                        strain.least_motion = {m.lower.x, m.lower.y, m.lower.z};
                        strain.most_motion = {m.upper.x, m.upper.y, m.upper.z};
                    });
-    // Another search's block may have had more patches.
+    // Clears the boxes behind the last: another search's block may have had more patches.
     for (std::uint32_t k = search.blocks[block].patch_count; k < PatchBlock::most; ++k)
         set_box(boxes.patches[block], k, no_box);
     return hull_of(boxes.patches[block]);
 }
 
-/// visit(body, pair, known, p, was_calm) for the neighbours that a search asks for, of a block's patches p
-/// and those not before them. Others stay calm, or count as looked at.
+/// Calls visit(body, pair, known, p, was_calm) for the neighbours that a search tests, of a block's patches p
+/// and those not before them. Others stay calm, or become looked_at.
 template <class Visit>
 HWY_INLINE void for_each_asked(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes,
                                const Visit& visit) {
@@ -308,14 +308,14 @@ void place_strains(const PairSearch& search, std::uint32_t block, FeatureBoxes& 
 }
 
 void find_known(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
-    std::uint32_t calm = ~0u;  // the last patch of which some are
+    std::uint32_t calm = ~0u;  // the last patch that has a calm neighbour
     for_each_asked(
         search, block, boxes,
         [&](const SearchedBody& body, const PatchNeighbours& pair, Neighbours& known, std::uint32_t p,
             bool was_calm) HWY_ATTR {
             const PatchStrain* const strains =
                 &boxes.strains[std::size_t{body.first_block} * PatchBlock::most];
-            // A region around the patch and another is around the patch itself, which comes last.
+            // A region around a patch and another one contains the patch, whose pair with itself comes last.
             const bool is_calm = (pair.other == p && calm == p) ||
                                  are_calm(search, body, pair, strains[p], strains[pair.other],
                                           &boxes.gradients[body.first_gradients]);
@@ -326,7 +326,7 @@ void find_known(const PairSearch& search, std::uint32_t block, FeatureBoxes& box
 
 bool want(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes) {
     bool any = false;
-    const auto add = [&](const SearchedPatch& patch) {  // by any thread, but always the same
+    const auto add = [&](const SearchedPatch& patch) {  // by several threads, but always the same value
         std::uint8_t& wanted = boxes.wanted[patch.body.first_block * PatchBlock::most + patch.number];
         store_relaxed(wanted, 1);
     };

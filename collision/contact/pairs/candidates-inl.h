@@ -1,4 +1,4 @@
-// Pairs of features that are looked at closely, many at a time. Included as engine/simd/lanes-inl.h is.
+// Candidate pairs of features for the exact tests, many at a time. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_CONTACT_PAIRS_CANDIDATES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_CONTACT_PAIRS_CANDIDATES_INL_H
@@ -33,7 +33,7 @@ HWY_INLINE CornerLanes gather_corners(const Vec4* positions, const Vec4* motions
     return corners;
 }
 
-/// Lanes past the end repeat the first candidate.
+/// Padding: lanes past the end repeat the first candidate.
 HWY_INLINE void pad(Candidates& candidates) {
     for (auto& corner : candidates.corners)
         for (std::uint32_t k = 0; k < part_lanes; ++k) corner[candidates.count + k] = corner[0];

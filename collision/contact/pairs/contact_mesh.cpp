@@ -51,7 +51,7 @@ float least_height_of(std::span<const Vec4> at, std::span<const Triangle> triang
     return least;
 }
 
-/// The particles that triangles have.
+/// The particles that are corners of triangles.
 std::vector<std::uint32_t> vertices_of(std::size_t particles, std::span<const Triangle> triangles) {
     std::vector<bool> is_vertex(particles);
     for (const Triangle& t : triangles)
@@ -70,8 +70,8 @@ std::vector<Vec4> finite(std::span<const Vec4> positions) {
 }
 
 /// Features of one kind, by clusters of vertices: those of cluster c are [starts[c], starts[c + 1]) of
-/// `order`. Each goes to the lowest of its corners' clusters. In a grid whose clusters are squares they are
-/// then the squares' own and those towards the higher neighbours, so that few corners belong to others.
+/// `order`. A feature goes to the lowest of its corners' clusters. In a grid of square clusters, a cluster
+/// has its own features and those towards higher neighbours, so that few corners belong to others.
 struct Shares {
     std::vector<std::uint32_t> starts, order;
 
@@ -91,11 +91,11 @@ struct Shares {
     }
 };
 
-/// Slots of one kind while they are filled.
+/// Fills the slots of one kind of feature.
 template <std::uint32_t corner_count>
 class SlotFiller {
   public:
-    /// Begins a patch's span.
+    /// Begins a patch's span; pads the last group.
     SlotSpan begin() {
         for (auto& corner : corners_)
             while (corner.size() % 16 != 0) corner.push_back(corner.back());
@@ -117,7 +117,7 @@ class SlotFiller {
     std::array<std::vector<std::uint32_t>, corner_count> corners_;
 };
 
-/// The corners of all features of each patch.
+/// Finds the corners of all features of each patch.
 FeatureSlots<1> share_corners(std::span<ContactPatch> patches, const FeatureSlots<1>& vertices,
                               const FeatureSlots<3>& triangles, const FeatureSlots<2>& edges) {
     SlotFiller<1> slots;
@@ -155,8 +155,8 @@ ContactMesh::ContactMesh(std::span<const Vec4> rest_positions, std::span<const T
     order_in_patches(vertices, places);
     share_out(rest_positions, vertices);
     if (flat_rest_.has_all_triangles()) return;
-    // Cloth that is folded or closed at rest has patches that lie together in space and not along it: soon
-    // they are spread wide, and meet many others.
+    // Patches of cloth that is folded or closed at rest are close in space, but not along the cloth. They
+    // soon spread wide and overlap many others.
     order_along_surface(vertices, edges(), places);
     share_out(rest_positions, vertices);
 }

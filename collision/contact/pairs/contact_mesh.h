@@ -1,5 +1,5 @@
 #pragma once
-// What detection needs of a mesh that moves but does not change: its features, and how they are shared out
+// The part of a mesh that stays constant while it moves, for detection: its features, and their division
 // among patches.
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace weft {
 
-/// Features of one kind, by their corners: slots in groups of sixteen, of which one patch owns the first few.
-/// Spare slots repeat a particle of the mesh.
+/// Features of one kind, by their corners, in groups of sixteen slots. One patch owns the first slots of a
+/// group. The others are padding, and repeat a particle of the mesh.
 template <std::uint32_t corner_count>
 struct FeatureSlots {
     std::array<SharedBuffer<std::uint32_t>, corner_count> corners;
@@ -34,23 +34,23 @@ struct ContactPatch {
     static constexpr std::uint32_t most_vertices = 16, most_triangles = 64, most_edges = 96;
 
     SlotSpan vertices, triangles, edges;
-    SlotSpan corners;  ///< of all of these, each particle once
+    SlotSpan corners;  ///< corners of all of these, each particle once
 };
 
-/// The constant part of a body in contact. Vertices without a triangle have no part in it, and neither have
-/// triangles and edges of which two corners are one particle.
+/// The constant part of a body in contact. Vertices without a triangle are left out, and so are triangles and
+/// edges of which two corners are one particle.
 class ContactMesh {
   public:
     using Triangle = std::array<std::uint32_t, 3>;  ///< particles
     using Edge = std::array<std::uint32_t, 2>;      ///< particles, the lower number first
 
-    /// Precondition: triangles name rest_positions. These, if not finite, count as the origin: they decide
-    /// how long a search takes and nothing else.
+    /// Precondition: triangles are indices into rest_positions. Positions that are not finite count as the
+    /// origin: positions only decide how long a search takes.
     ContactMesh(std::span<const Vec4> rest_positions, std::span<const Triangle> triangles);
 
-    /// An empty one, to be read into.
+    /// An empty mesh, to be read into by for_each_list().
     ContactMesh() = default;
-    /// visit(list) and visit.value(number) for all of it.
+    /// Calls visit(list) and visit.value(number) for all members.
     template <class Self, class Visit>
     static void for_each_list(Self& self, Visit& visit) {
         visit.value(self.particles_);
@@ -69,19 +69,19 @@ class ContactMesh {
         visit_slots(self.corner_slots_);
         FlatRest::for_each_list(self.flat_rest_, visit);
     }
-    /// Whether lists that were read name only what there is, for so many particles.
+    /// Whether all indices in lists that were read are valid, for so many particles.
     [[nodiscard]] bool is_sound(std::uint32_t particle_count) const;
 
     [[nodiscard]] std::uint32_t particles() const noexcept { return particles_; }
     [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return triangles_.span(); }
-    /// Each once, in ascending order.
+    /// Every edge once, in ascending order.
     [[nodiscard]] std::span<const Edge> edges() const noexcept { return edges_.span(); }
-    /// The triangles that have the particle for a corner, by their places in triangles(), ascending.
+    /// Indices in triangles() of the triangles that have the particle as a corner, ascending.
     [[nodiscard]] std::span<const std::uint32_t> triangles_of(std::uint32_t particle) const noexcept {
         const std::uint32_t begin = corner_starts_[particle];
         return corner_triangles_.span().subspan(begin, corner_starts_[particle + 1] - begin);
     }
-    /// The least height of a triangle at rest [m]: features of slivers are as near as that for ever.
+    /// The least height of a triangle at rest [m]: the features of a sliver are always that near.
     [[nodiscard]] float least_height() const noexcept { return least_height_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
@@ -95,7 +95,7 @@ class ContactMesh {
     [[nodiscard]] const FlatRest& flat_rest() const noexcept { return flat_rest_; }
 
   private:
-    /// Among patches, of vertices in this order.
+    /// Divides the features among patches; `vertices` are in the order of patches.
     void share_out(std::span<const Vec4> rest_positions, std::span<const std::uint32_t> vertices);
     void find_corners();
 
@@ -103,7 +103,7 @@ class ContactMesh {
     float least_height_ = 0;
     SharedBuffer<Triangle> triangles_;
     SharedBuffer<Edge> edges_;
-    SharedBuffer<std::uint32_t> corner_starts_, corner_triangles_;  // of particles
+    SharedBuffer<std::uint32_t> corner_starts_, corner_triangles_;  // by particle
     SharedBuffer<ContactPatch> patches_;
     FeatureSlots<1> vertex_slots_;
     FeatureSlots<3> triangle_slots_;

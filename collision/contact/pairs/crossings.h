@@ -1,5 +1,5 @@
 #pragma once
-// Where meshes cross: an edge through a triangle.
+// Crossings of meshes: an edge that passes through a triangle.
 
 #include <array>
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace weft {
 
 struct Crossing {
     std::array<std::uint32_t, 2> edge;      ///< particles, numbered through all bodies
-    std::array<std::uint32_t, 3> triangle;  ///< likewise
+    std::array<std::uint32_t, 3> triangle;  ///< particles, numbered through all bodies
 };
 
-/// In an order that no thread decides.
+/// Crossings, in an order that does not depend on threads.
 struct CrossingList {
     ScratchArray<Crossing> crossings;
     std::uint32_t size = 0;
-    /// There were more than there is room for: what is listed is not all.
+    /// Whether there were more crossings than room: the list is incomplete.
     bool overflowed = false;
 
     void lay_out(Scratch& scratch, std::size_t capacity) { scratch.take(crossings, capacity); }

@@ -26,8 +26,8 @@ double twice_area(const std::vector<Point>& chart, const Triangle& t) {
     return cross(chart[t[1]] - chart[t[0]], chart[t[2]] - chart[t[0]]);
 }
 
-/// Points seen along the mean normal of the triangles, by vertex: those of these triangles. False if that is
-/// no direction.
+/// Projects the corners of the triangles along their mean normal into the chart, by vertex. Returns false if
+/// there is no mean normal.
 bool project(std::span<const Vec4> positions, std::span<const Triangle> triangles,
              std::vector<Point>& chart) {
     const auto at = [&](std::uint32_t i) {
@@ -46,8 +46,8 @@ bool project(std::span<const Vec4> positions, std::span<const Triangle> triangle
     return true;
 }
 
-/// Takes over the altitudes of triangles: by vertex, the least of its own. Returns the least of all. A
-/// triangle without area, or turned over, has none above 0.
+/// Lowers least_at[vertex] to the least altitude of its triangles, and returns the least of all. A triangle
+/// without area, or turned over, has none above 0.
 double take_altitudes(const std::vector<Point>& chart, std::span<const Triangle> triangles,
                       std::vector<double>& least_at) {
     double least = std::numeric_limits<double>::infinity();
@@ -62,8 +62,8 @@ double take_altitudes(const std::vector<Point>& chart, std::span<const Triangle>
     return least;
 }
 
-/// Edges of one triangle, in its direction. None if a side is of two triangles that both run along it the
-/// same way, or of more.
+/// The edges of a single triangle, in its direction. None if two triangles run along a side the same way, or
+/// if a side has more than two.
 std::optional<std::vector<std::array<std::uint32_t, 2>>> border_of(std::span<const Triangle> triangles) {
     std::vector<std::array<std::uint32_t, 2>> sides;
     for (const Triangle& t : triangles)
@@ -76,7 +76,7 @@ std::optional<std::vector<std::array<std::uint32_t, 2>>> border_of(std::span<con
     return border;
 }
 
-/// By particle, the number of one that stands for all that hang together by triangles.
+/// By particle, the number of a particle that represents its connected piece.
 std::vector<std::uint32_t> pieces_of(std::span<const Triangle> triangles, std::size_t particles) {
     std::vector<std::uint32_t> parent(particles);
     std::iota(parent.begin(), parent.end(), 0u);
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> pieces_of(std::span<const Triangle> triangles, std::s
     return parent;
 }
 
-/// Counter-clockwise (Andrew 1979).
+/// The convex hull, counter-clockwise (Andrew 1979).
 std::vector<Point> convex_hull(std::vector<Point> points) {
     std::ranges::sort(points, [](const Point& a, const Point& b) {
         return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
@@ -112,9 +112,9 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
     return hull;
 }
 
-/// Triangles of one piece that all turn one way, side on side, with a border that runs along the hull, cover
-/// it a whole number of times: the sum of their areas says how often. The border may miss it by a hundredth
-/// of the least altitude, which the margins of the law make good.
+/// Whether triangles of one piece fill the hull of their border once. If all have one orientation and the
+/// border runs along the hull, they cover it a whole number of times, given by the sum of their areas. The
+/// border may depart from it by 0.01 of the least altitude, which the margins in are_calm() allow for.
 bool fills_its_hull(const std::vector<Point>& chart, std::span<const Triangle> triangles, double altitude) {
     const auto border = border_of(triangles);
     if (!border || border->empty()) return false;
@@ -156,7 +156,7 @@ struct Rectangle {
         both.upper = upper.max(other.upper);
         return both;
     }
-    /// By more than `least`.
+    /// Whether the overlap is more than `least` along both axes.
     [[nodiscard]] bool overlaps(const Rectangle& other, double least) const {
         return (lower + least < other.upper).all() && (other.lower + least < upper).all();
     }
@@ -167,7 +167,7 @@ std::span<const std::uint32_t> corners_of(const FlatRest::Features& of, const Co
     return of.corner_slots.corners[0].span().subspan(patch.corners.first, patch.corners.count);
 }
 
-/// By patch, those that share a corner with it, itself among them.
+/// By patch, the patches that share a corner with it, itself among them.
 std::vector<std::vector<std::uint32_t>> patches_beside(const FlatRest::Features& of) {
     std::vector<std::vector<std::uint32_t>> patches_at(of.rest_positions.size()), beside(of.patches.size());
     const auto add = [](std::vector<std::uint32_t>& list, std::uint32_t value) {
@@ -185,13 +185,13 @@ std::vector<std::vector<std::uint32_t>> patches_beside(const FlatRest::Features&
     return beside;
 }
 
-/// Those of the pieces of a mesh that have one.
+/// The charts of the pieces of a mesh that have one.
 struct Charts {
     static constexpr std::uint32_t none = ~0u;
 
-    std::vector<Point> at;                                   // by particle
-    std::vector<double> altitude_at;                         // by particle: of its triangles
-    double least = std::numeric_limits<double>::infinity();  // of all that are in a chart
+    std::vector<Point> at;                                   // by particle: the place in the chart
+    std::vector<double> altitude_at;                         // by particle: the least of its triangles
+    double least = std::numeric_limits<double>::infinity();  // the least of all charts
     std::vector<std::uint32_t> piece;                        // by particle
     std::vector<bool> is_flat;                               // by piece
 
@@ -218,7 +218,7 @@ struct Charts {
     }
     [[nodiscard]] bool empty() const { return !std::isfinite(least); }
     [[nodiscard]] bool has(std::uint32_t particle) const { return is_flat[piece[particle]]; }
-    /// Of which piece all these are, if it has a chart.
+    /// The piece that has all these particles, if there is one and it has a chart.
     [[nodiscard]] std::uint32_t piece_of(std::span<const std::uint32_t> particles) const {
         const std::uint32_t here = piece[particles[0]];
         const auto is_here = [&](std::uint32_t i) { return piece[i] == here; };
@@ -245,7 +245,7 @@ FlatRest::FlatRest(const Features& features) {
     const std::size_t count = features.patches.size();
     std::vector<Rectangle> rectangles(count);
     std::vector<double> heights(count, std::numeric_limits<double>::infinity());
-    // Whose chart a patch is in; a patch of several pieces is in none.
+    // By patch, the piece if it has a chart; a patch of several pieces has none.
     std::vector<std::uint32_t> pieces(count);
     for (std::size_t p = 0; p < count; ++p) {
         pieces[p] = charts.piece_of(corners_of(features, features.patches[p]));
@@ -256,7 +256,7 @@ FlatRest::FlatRest(const Features& features) {
     }
 
     const auto beside = patches_beside(features);
-    // Not below p, and no farther than some reach: patches may face one another across a corner of others.
+    // Patches not below p and within its height: they may face one another across a corner of others.
     std::vector<std::uint32_t> near;
     const auto patches_near = [&](std::uint32_t p) -> const std::vector<std::uint32_t>& {
         near.clear();
@@ -271,8 +271,8 @@ FlatRest::FlatRest(const Features& features) {
         return near;
     };
 
-    // The triangles of a patch that lie in a region of a chart. The margins of the law make good what covers
-    // by next to nothing.
+    // Adds the triangles of a patch that overlap a region of a chart. The margins in are_calm() allow for an
+    // overlap below 1e-4 of the least altitude.
     std::vector<TriangleGroup> covers;
     const auto cover = [&](const Rectangle& region, std::uint32_t piece, const SlotSpan& triangles) {
         const std::size_t begin = covers.size();
@@ -294,7 +294,7 @@ FlatRest::FlatRest(const Features& features) {
         for (const std::uint32_t q : patches_near(p)) {
             const auto begin = static_cast<std::uint32_t>(covers.size());
             const Rectangle around = rectangles[p].joined(rectangles[q]);
-            // Triangles under a convex region hang together: from patch to patch all are found.
+            // Triangles in a convex region are connected: a walk from patch to patch finds all.
             ++pair;
             walk.assign(1, p);
             seen_for[p] = pair;
@@ -337,14 +337,14 @@ bool FlatRest::has_all_triangles() const noexcept {
     return !is_empty();
 }
 
-// G (G^T G)^(-1/2).
+// The isometry of the polar decomposition, G (G^T G)^(-1/2).
 ChartFrame nearest_frame(const ChartFrame& gradient) noexcept {
     const auto& [ux, uy, uz, vx, vy, vz] = gradient;
     const float uu = ux * ux + uy * uy + uz * uz, vv = vx * vx + vy * vy + vz * vz;
     const float uv = ux * vx + uy * vy + uz * vz;
     const float area = std::sqrt(uu * vv - uv * uv);
     constexpr float none = std::numeric_limits<float>::infinity();
-    // As a line it would be all rounding.
+    // For a gradient that is nearly a line, the frame would be all rounding.
     if (!(area > 0.01f * (uu + vv))) return {none, none, none, none, none, none};
     const float scale = 1 / (area * std::sqrt(uu + vv + 2 * area));
     const float a = scale * (vv + area), b = -scale * uv, d = scale * (uu + area);

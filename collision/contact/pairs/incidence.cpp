@@ -9,15 +9,15 @@ namespace weft {
 
 namespace {
 
-// Blocks that move pairs to buckets: no more of them, and none of fewer pairs, so that the counts of each,
-// one a bucket, are few beside its pairs.
+// Limits of blocks that move pairs to buckets: at most so many, of at least so many pairs, so that a block's
+// counts, one for each bucket, are few beside its pairs.
 constexpr std::uint32_t most_blocks = 64, least_pairs = 4096;
 
 std::uint32_t pairs_per_block(std::size_t pairs) {
     return std::max(least_pairs, static_cast<std::uint32_t>((pairs + most_blocks - 1) / most_blocks));
 }
 
-/// visit(particle, place) for the corners of a block's chosen pairs.
+/// Calls visit(particle, place) for the corners of a block's chosen pairs.
 template <class Visit>
 void for_each_corner(std::span<const FeaturePair> pairs, std::span<const std::uint8_t> chosen,
                      const BlockRange& block, const Visit& visit) {
@@ -30,7 +30,7 @@ void for_each_corner(std::span<const FeaturePair> pairs, std::span<const std::ui
         return;
     }
     for (std::uint32_t pair = block.begin; pair < block.end;) {
-        if (block.end - pair >= sizeof(std::uint64_t)) {  // few are chosen: eight at a time are passed over
+        if (block.end - pair >= sizeof(std::uint64_t)) {  // few are chosen: skips eight at a time
             std::uint64_t eight;
             std::memcpy(&eight, &chosen[pair], sizeof eight);
             if (eight == 0) {
@@ -78,7 +78,7 @@ void PairIncidence::count_by_bucket(Parallel& parallel, std::span<const FeatureP
     };
     parallel.ranges(size, count_block, pairs_per_block(size));
 
-    // Buckets follow one another, and within a bucket the blocks of pairs do.
+    // Prefix sums, in order of buckets, and within a bucket in order of blocks of pairs.
     const std::uint32_t per_block = pairs_per_block(size), blocks = (size + per_block - 1) / per_block;
     std::uint32_t sum = 0;
     for (std::uint32_t bucket = 0; bucket < buckets_; ++bucket) {

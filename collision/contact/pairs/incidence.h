@@ -1,6 +1,6 @@
 #pragma once
-// Which pairs a particle is a corner of: compressed rows, so that what pairs ask of particles is gathered in
-// an order that no thread decides, and never scattered.
+// Incidence of particles and pairs, as compressed rows: contributions of pairs to particles are gathered, in
+// an order that does not depend on threads, and never scattered.
 
 #include <cstdint>
 #include <span>
@@ -15,18 +15,18 @@ namespace weft {
 /// are 4 * pair + corner, ascending. Particles without pairs cost nothing but their share of a block.
 class PairIncidence {
   public:
-    /// Takes the memory for pairs of so many particles.
+    /// Reserves memory for pairs of so many particles.
     void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
-    /// Takes over the corners of those pairs for which chosen[pair] is not zero; of all, where chosen is
-    /// empty. Preconditions: reserved for so many pairs and for particles above every corner.
+    /// Builds the rows of the pairs for which chosen[pair] is not zero, or of all if `chosen` is empty.
+    /// Preconditions: lay_out() has reserved for so many pairs and for particles above every corner.
     void build(Parallel& parallel, std::span<const FeaturePair> pairs, std::span<const std::uint8_t> chosen);
 
     [[nodiscard]] std::uint32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::uint32_t particle(std::uint32_t row) const noexcept { return particles_[row]; }
-    /// Where a row's places begin among all rows'.
+    /// Index of a row's first place among all rows' places.
     [[nodiscard]] std::uint32_t start(std::uint32_t row) const noexcept { return starts_[row]; }
-    /// The same of all rows, for kernels.
+    /// Particles and starts of all rows, for kernels.
     [[nodiscard]] std::span<const std::uint32_t> particles() const noexcept {
         return particles_.span().first(rows_);
     }
@@ -48,12 +48,12 @@ class PairIncidence {
                          std::span<const std::uint8_t> chosen);
     void sort_buckets(Parallel& parallel);
 
-    std::uint32_t buckets_ = 0;  // of block_size particles
+    std::uint32_t buckets_ = 0;  // number of buckets, of block_size particles each
     std::uint32_t rows_ = 0;
-    ScratchArray<std::uint32_t> counts_;        // by block of pairs and bucket; then where it writes
-    ScratchArray<std::uint32_t> bucket_begin_;  // among entries
-    ScratchArray<std::uint32_t> bucket_rows_;   // how many, then the first
-    ScratchArray<Entry> entries_;               // by bucket
+    ScratchArray<std::uint32_t> counts_;        // by block of pairs and bucket; then indices to write at
+    ScratchArray<std::uint32_t> bucket_begin_;  // first entry of each bucket
+    ScratchArray<std::uint32_t> bucket_rows_;   // number of a bucket's rows, then its first
+    ScratchArray<Entry> entries_;               // sorted by bucket
     ScratchArray<std::uint32_t> places_, particles_, starts_;
 };
 

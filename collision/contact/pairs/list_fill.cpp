@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto relaxed = std::memory_order_relaxed;
 
-/// Stores `count` as a block's own, and adds what is new of it to the sum of all blocks.
+/// Stores `count` as a block's own, and adds its increase to the sum of all blocks.
 void raise(std::atomic<std::uint64_t>& own, std::atomic<std::uint64_t>& all, std::uint32_t count) {
     all.fetch_add(count - own.load(relaxed), relaxed);
     own.store(count, relaxed);
@@ -35,7 +35,7 @@ std::uint64_t ListFill::found() const noexcept {
 }
 
 // The list has all pairs of vertices and triangles, block by block, before all pairs of edges. Counts that
-// other threads go on raising are lower bounds.
+// other threads still raise are lower bounds.
 void ListFill::update(std::uint32_t block, FoundPairs& found) noexcept {
     Counts &all = counts_[0], &own = counts_[block + 1];
     raise(own.vertex_triangle, all.vertex_triangle, found.vertex_triangle.count);

@@ -1,4 +1,4 @@
-// What is left of a list of pairs, many at a time; compiled once for each kind of machine.
+// Narrowing of a list of pairs, many at a time; compiled once for each kind of machine.
 
 #include <algorithm>
 #include <bit>
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Some of a list's pairs, by their numbers.
+/// Pairs of a list that are tested together, and their numbers in the list.
 struct Batch {
     Candidates candidates;
     std::uint32_t numbers[group_lanes];
@@ -32,7 +32,7 @@ struct Batch {
     }
 };
 
-/// Around corners over their motion.
+/// The box around corners over their motion.
 HWY_INLINE BoxLanes swept_box(const CornerLanes& corners, std::uint32_t first, std::uint32_t end) {
     const Lanes3 start = corners.point[first], moved = start + corners.motion[first];
     BoxLanes box = join({start, start}, {moved, moved});
@@ -63,7 +63,7 @@ HWY_INLINE std::uint32_t narrow_list(const PairNarrow& narrow, std::span<Feature
     Batch batch;
     std::uint32_t kept = 0;
     const float too_far =
-        narrow.reach + 2 * narrow.longest;  // whatever the motions, with what rounding takes
+        narrow.reach + 2 * narrow.longest;  // no motion brings a pair with a larger gap within reach
     for (std::uint32_t k = 0; k < pairs.size(); ++k) {
         if (!(shapes[k].normal.w > too_far)) batch.add(k, pairs[k], shapes[k].normal);
         if (batch.candidates.count < part_lanes && k + 1 < pairs.size()) continue;

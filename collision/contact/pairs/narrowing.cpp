@@ -8,7 +8,7 @@ namespace weft {
 
 namespace {
 
-/// The pairs of one kind.
+/// A list's range of pairs of one kind.
 struct Section {
     std::uint32_t begin, end;
 

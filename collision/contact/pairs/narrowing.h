@@ -1,6 +1,6 @@
 #pragma once
-// A second look at a list of near pairs: what is left of it for other motions and a shorter reach. It spares
-// the search where that search would find nothing new.
+// Narrows a list of near pairs to other motions and a shorter reach. It replaces a search where that search
+// would find nothing new.
 
 #include <cstdint>
 #include <span>
@@ -19,15 +19,15 @@ class PairNarrowing {
     /// Leaves in the list, in their order, the pairs that PairFinder::find would list with these motions and
     /// this reach for all bodies. No motion is longer than `longest` [m].
     ///
-    /// Preconditions: the list is whole, and of the same positions. It was found with a reach R and motions
-    /// m, and each of these motions ends within (R - reach) / 2 of the way from 0 to m: so the gap of a pair
-    /// along its normal, and that of its boxes, is less for m than now by no more than R - reach, and a pair
-    /// that comes within reach now came within R.
+    /// Preconditions: the list is complete, and of the same positions. It was found with a reach R and
+    /// motions m, and each of these motions ends within (R - reach) / 2 of the way from 0 to m. The gap of a
+    /// pair along its normal for m, and that of its boxes, then exceeds the gap now by at most R - reach: a
+    /// pair that comes within reach now came within R.
     void narrow(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
                 float reach, float longest, PairList& list);
 
   private:
-    ScratchArray<std::uint32_t> kept_;  // by block of pairs
+    ScratchArray<std::uint32_t> kept_;  // by block of pairs: the number that remains
 };
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// The features of a patch that are near another patch, side by side. Included as engine/simd/lanes-inl.h is.
+// The features of a patch that are near another patch, in arrays. Included as engine/simd/lanes-inl.h is.
 
 #if defined(WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef WEFT_COLLISION_CONTACT_PAIRS_NEAR_SLOTS_INL_H
@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 
-/// Which of two boxes in each lane have a point in common.
+/// Whether the two boxes in a lane have a point in common.
 HWY_INLINE hn::Mask<Tag> overlap(const BoxLanes& a, const BoxLanes& b) {
     const auto x = hn::And(hn::Le(a.lower.x, b.upper.x), hn::Le(b.lower.x, a.upper.x));
     const auto y = hn::And(hn::Le(a.lower.y, b.upper.y), hn::Le(b.lower.y, a.upper.y));
@@ -42,7 +42,7 @@ HWY_INLINE std::uint32_t overlapping(const BoxLanes& box, const Boxes& boxes) {
     return all;
 }
 
-/// By half the reach and by more than what rounding takes from a coordinate's sums.
+/// The box grown by half the reach, and by more than the rounding error of sums at its coordinates.
 HWY_INLINE BoxLanes grown(const BoxLanes& box, Lanes half_reach) {
     const Lanes rounding = set(0x1p-22f);
     const auto by = [&](Lanes at) HWY_ATTR { return hn::MulAdd(hn::Abs(at), rounding, half_reach); };
@@ -52,8 +52,8 @@ HWY_INLINE BoxLanes grown(const BoxLanes& box, Lanes half_reach) {
             {more(box.upper.x), more(box.upper.y), more(box.upper.z)}};
 }
 
-/// The box of features over their motion, as place_features() has it; `corners`: lists of particles, one for
-/// each of a feature's corners.
+/// The box of features over their motion, as place_features() computes it; `corners`: lists of particles, one
+/// for each of a feature's corners.
 template <class Corners>
 HWY_INLINE BoxLanes placed_box(const PairSearch& search, const Corners& corners, std::uint32_t begin,
                                std::uint32_t end, std::uint32_t first, float half_reach) {
@@ -68,8 +68,8 @@ HWY_INLINE BoxLanes placed_box(const PairSearch& search, const Corners& corners,
     return grown(box, set(half_reach));
 }
 
-/// Boxes in few bits: places in the part of space that two boxes have in common, from 0 to 255 along each
-/// axis, a byte for each. Rounding keeps order: what overlaps does so here too, and some of what does not.
+/// Quantised coordinates: places in the intersection of two boxes, from 0 to 255 along each axis, a byte for
+/// each. Rounding keeps order: boxes that overlap still do, and so do some that do not.
 class CoarsePlaces {
   public:
     HWY_INLINE CoarsePlaces(const BoxLanes& a, const BoxLanes& b) : origin_(maximum(a.lower, b.lower)) {
@@ -102,7 +102,7 @@ struct NearSlots {
     alignas(64) std::uint32_t lower[capacity], upper[capacity];
     alignas(64) std::uint32_t corners[corner_count][capacity];
 
-    /// Takes those of a patch's slots whose boxes overlap `other`.
+    /// Selects the slots of a patch whose boxes overlap `other`.
     HWY_INLINE void select(const FeatureSlots<corner_count>& slots, const SlotSpan& span, const Boxes* groups,
                            std::uint32_t first_particle, const BoxLanes& other, const CoarsePlaces& places) {
         const IndexTag d;
@@ -120,7 +120,7 @@ struct NearSlots {
             }
             count += kept.count();
         }
-        // Behind the last is what overlaps nothing.
+        // Padding behind the last slot: boxes that overlap nothing.
         hn::StoreU(set_index(~0u), d, lower + count);
         hn::StoreU(set_index(0), d, upper + count);
     }
@@ -134,7 +134,7 @@ struct CoarseBox {
     HWY_INLINE CoarseBox(const Slots& slots, std::uint32_t k)
         : lower(set_index(slots.lower[k])), upper(set_index(slots.upper[k])) {}
 
-    /// Which of the features from `first` on, as many as a register has lanes, may overlap it.
+    /// The features from `first` on, as many as a register has lanes, that may overlap this one.
     template <class Slots>
     HWY_INLINE IndexMask may_overlap(const Slots& slots, std::uint32_t first) const {
         const IndexTag d;
@@ -152,7 +152,7 @@ using NearVertices = NearSlots<1, ContactPatch::most_vertices>;
 using NearTriangles = NearSlots<3, ContactPatch::most_triangles>;
 using NearEdges = NearSlots<2, ContactPatch::most_edges>;
 
-/// A patch within the boxes of all bodies.
+/// A patch in a search, and its box.
 struct SearchedPatch {
     const SearchedBody& body;
     std::uint32_t number;  // within the body
@@ -186,7 +186,7 @@ inline bool may_meet(const SearchedBody& a, const SearchedBody& b) {
     return &a == &b ? a.meets_itself : masks_allow(a.layer, a.mask, b.layer, b.mask);
 }
 
-/// Whether the search looks at two patches, by what find_neighbours() has found. `is_marked`: one of them has
+/// Whether the search covers two patches, by the results of find_neighbours(). `is_marked`: one of them has
 /// its bit in PairSearch::only, or all patches count as marked.
 inline bool is_to_be_looked_at(const PairSearch& search, const SearchedPatch& a, const SearchedPatch& b,
                                bool is_marked) {
@@ -205,8 +205,8 @@ inline std::uint32_t marked_beside(const PairSearch& search, std::uint32_t block
     return (search.only[block] >> p & 1) != 0 ? ~0u : search.only[other];
 }
 
-/// visit(patch, other, is_same) for every pair of patches of a block and of those after it whose boxes
-/// overlap and whose bodies meet, a patch with itself among them, which the search looks at.
+/// Calls visit(patch, other, is_same) for the pairs of patches that the search covers, of a block and those
+/// after it, whose boxes overlap and whose bodies meet. A patch makes a pair with itself.
 template <class Visit>
 HWY_INLINE void for_each_near_patch(const PairSearch& search, std::uint32_t block, const Visit& visit) {
     const FeatureBoxes& boxes = *search.boxes;

@@ -8,20 +8,20 @@ namespace weft {
 
 namespace {
 
-/// What a block keeps of its pairs until all are counted: for layers that lie on one another, enough. A block
-/// with more is searched once more.
+/// Room for a block's pairs until all are counted: enough for layers that lie on one another. A block with
+/// more is searched again.
 constexpr std::uint32_t kept_vertex_triangle = 1024, kept_edge_edge = 2560;
 constexpr std::uint32_t kept = kept_vertex_triangle + kept_edge_edge;
 constexpr std::uint32_t kept_crossings = 64;
 
-/// `count` items from `first` on, as far as the list goes.
+/// `count` items from `first` on, or as many as the list has.
 template <class Item>
 std::span<Item> part_of(std::span<Item> list, std::size_t first, std::size_t count) {
     const std::size_t begin = std::min(first, list.size());
     return list.subspan(begin, std::min(count, list.size() - begin));
 }
 
-/// Groups of triangles that a search keeps the gradients of.
+/// Number of groups of triangles whose gradients a search keeps.
 std::uint32_t groups_of_gradients(const ContactMesh& mesh) {
     return mesh.flat_rest().is_empty() ? 0 : mesh.triangle_slots().groups();
 }
@@ -210,7 +210,7 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
     });
 
     std::uint64_t count = 0;
-    for (std::uint32_t block = 0; block < block_count_; ++block) {  // few: most blocks have none
+    for (std::uint32_t block = 0; block < block_count_; ++block) {  // serial: most blocks have none
         const std::span<Crossing> to =
             part_of(found.crossings.span(),
                     static_cast<std::size_t>(std::min<std::uint64_t>(count, found.capacity())),
@@ -231,7 +231,7 @@ void PairFinder::place(Parallel& parallel, const PairSearch& search) {
     parallel.blocks(block_count_, [&](std::uint32_t block) {
         set_box(boxes_.blocks[block / 16], block % 16, place_patches(search, block, boxes_));
     });
-    // Behind the last box nothing is.
+    // The boxes behind the last one are empty.
     const std::uint32_t groups = (block_count_ + 15) / 16;
     for (std::uint32_t k = block_count_; k < 16 * groups; ++k) set_box(boxes_.blocks[k / 16], k % 16, no_box);
     for (std::uint32_t k = 0; k < 16 * boxes_.groups.size(); ++k)
@@ -263,7 +263,7 @@ FoundPairs PairFinder::room_of(std::uint32_t block) {
     return {{room.first(kept_vertex_triangle)}, {room.subspan(kept_vertex_triangle)}};
 }
 
-// Pairs of edges that are in the list already make room for those of vertices.
+// Pairs of edges that are in the list already move back, to make room for new pairs of vertices.
 void PairFinder::number(PairList& found) {
     const std::uint32_t had_vertex_triangle = found.vertex_triangle, had = found.size;
     std::uint64_t count = had_vertex_triangle;

@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// How far searches look for pairs of two bodies' features: the mean of the bodies' reaches, and the halves
-/// of these by which boxes are grown.
+/// The reach of a search for pairs of two bodies' features: the mean of the bodies' reaches, and the margins
+/// by which their boxes are grown.
 struct PairReach {
     float mean = 0, half_of_a = 0, half_of_b = 0;
 
@@ -26,7 +26,7 @@ struct PairReach {
     bool operator==(const PairReach&) const = default;
 };
 
-/// Whether the boxes overlap, of those candidates from `first` on that are listed.
+/// Whether the boxes of sides A and B overlap, for the candidates from `first` on.
 template <std::uint32_t of_a>
 HWY_NOINLINE hn::Mask<Tag> boxes_overlap(const PairSearch& search, const PairReach& reach,
                                          const Candidates& of, std::uint32_t first) {
@@ -34,7 +34,7 @@ HWY_NOINLINE hn::Mask<Tag> boxes_overlap(const PairSearch& search, const PairRea
                    placed_box(search, of.corners, of_a, 4, first, reach.half_of_b));
 }
 
-/// Passes on, of the candidates, those that come within reach.
+/// Adds the candidates that come within reach to `found`, and empties their list.
 template <std::uint32_t of_a>
 HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& reach, Candidates& candidates,
                                   Found<FeaturePair>& found) {
@@ -49,7 +49,7 @@ HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& rea
         const Lanes within = hn::IfThenElse(is_at_border<of_a>(shape.weights),
                                             set(reach.mean * search.of_borders), set(reach.mean));
         auto listed = hn::And(hn::Lt(shape.swept_gap, within), hn::FirstN(Tag(), candidates.count - k));
-        // What is within reach now has boxes that overlap.
+        // Features that are within reach at the start have boxes that overlap.
         const auto unsure = hn::AndNot(hn::Lt(shape.gap, set(0.999f * reach.mean)), listed);
         if (!hn::AllFalse(Tag(), unsure))
             listed = hn::And(listed, boxes_overlap<of_a>(search, reach, candidates, k));
@@ -62,19 +62,19 @@ HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& rea
     candidates.count = 0;
 }
 
-/// A feature, and which of some others that follow one another may have boxes that overlap its own. No branch
-/// depends on how boxes lie: none could foresee that.
+/// A feature's hits among successive other features: those whose boxes may overlap its own. No branch depends
+/// on the boxes: it could not be predicted.
 struct BoxHits {
     struct Hit {
         std::uint8_t a, b;    ///< the feature, the first of the others
-        std::uint16_t lanes;  ///< a bit for each
+        std::uint16_t lanes;  ///< a bit for each of the others
     };
     static constexpr std::uint32_t most = ContactPatch::most_edges;
     static_assert(most >= ContactPatch::most_triangles && most <= 256);
 
     Hit list[most * (most + group_lanes) / part_lanes];
 
-    /// Returns how many; `is_same`: each pair of one set, once.
+    /// Fills the list, and returns its length. `is_same`: a and b are one set; each pair is listed once.
     template <class SlotsA, class SlotsB>
     HWY_INLINE std::uint32_t find(const SlotsA& a, const SlotsB& b, bool is_same) {
         std::uint32_t count = 0;
@@ -159,7 +159,7 @@ struct PairCollector {
         }
     }
 
-    /// The next candidates are features of a and of b.
+    /// Tests the candidates so far if those that follow, of bodies a and b, have another reach.
     HWY_INLINE void look_for(const SearchedBody& a, const SearchedBody& b) {
         const PairReach next(a, b);
         if (next == reach) return;
@@ -192,7 +192,7 @@ struct PairCollector {
     }
 
   private:
-    /// The first `of_a` corners are the same in all lanes.
+    /// Appends near pairs. The first `of_a` corners are the same in all lanes.
     template <std::uint32_t of_a>
     HWY_INLINE static void append(Candidates& to, IndexMask near, const Indices (&corners)[4]) {
         const IndexTag d;

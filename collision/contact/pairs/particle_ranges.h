@@ -1,5 +1,5 @@
 #pragma once
-// Loops over the particles of a group: some bodies' ranges of all bodies' particles.
+// Loops over the particles of a group of bodies, as ranges of all bodies' particles.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,14 +14,14 @@ struct ParticleRange {
     std::uint32_t first, count;
 };
 
-/// How many blocks the loops below have: no more than the particles' block_count and one for each range.
+/// Number of blocks of the loops below: at most the particles' block_count and one for each range.
 inline std::uint32_t block_count(std::span<const ParticleRange> ranges) {
     std::uint32_t blocks = 0;
     for (const ParticleRange& range : ranges) blocks += block_count(range.count);
     return blocks;
 }
 
-/// The block of that number. Groups have few bodies, so that looking them through costs nothing.
+/// The block of that number. A linear search is cheap: groups have few bodies.
 inline BlockRange nth_block(std::span<const ParticleRange> ranges, std::uint32_t number) {
     std::uint32_t block = number;
     for (const ParticleRange& range : ranges) {
@@ -35,13 +35,13 @@ inline BlockRange nth_block(std::span<const ParticleRange> ranges, std::uint32_t
     return {0, 0, number};
 }
 
-/// body(BlockRange) for the blocks of all ranges, one range after the other.
+/// Calls body(BlockRange) for the blocks of all ranges, one range after the other.
 template <class Body>
 void for_ranges(Parallel& parallel, std::span<const ParticleRange> ranges, const Body& body) {
     parallel.blocks(block_count(ranges), [&](std::uint32_t block) { body(nth_block(ranges, block)); });
 }
 
-/// partials[block] = map(BlockRange), then combined from the left in block order.
+/// Sets partials[block] = map(BlockRange), and combines these from the left in block order.
 /// Precondition: partials.size() >= block_count(ranges).
 template <class T, class Map, class Combine>
 T reduce_ranges(Parallel& parallel, std::span<const ParticleRange> ranges, std::span<T> partials, T initial,

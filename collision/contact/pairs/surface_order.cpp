@@ -15,7 +15,7 @@ namespace {
 
 constexpr double far_off = std::numeric_limits<double>::infinity();
 
-/// Halves parts of a surface until patches are left: each across its longest way.
+/// Halves parts of a surface, each across its longest path, until patches are left.
 class SurfaceCut {
   public:
     SurfaceCut(std::size_t particles, std::span<const std::array<std::uint32_t, 2>> edges,
@@ -34,7 +34,7 @@ class SurfaceCut {
         }
     }
 
-    /// As in patches.cpp: whole blocks, then whole patches, are on either side.
+    /// As in patches.cpp, the first half is whole blocks or, in a smaller part, whole patches.
     void cut(std::span<std::uint32_t> part) {
         if (part.size() <= patch_size) return;
         const std::size_t whole = part.size() > block_size ? block_size : patch_size;
@@ -53,7 +53,7 @@ class SurfaceCut {
         std::uint32_t vertex;
         double length;
     };
-    /// Which of the pieces that hang together, and where on the way from one end of it to the other.
+    /// The connected piece of a vertex, and its place on the way from one end of the piece to the other.
     struct Place {
         std::uint32_t piece;
         double along;
@@ -78,8 +78,8 @@ class SurfaceCut {
         }
     }
 
-    /// visit(vertex, way to it along edges within the part) for all that `from` hangs together with, the
-    /// nearest first (Dijkstra 1959). Returns the last.
+    /// Calls visit(vertex, length of the path along edges within the part) for all vertices connected to
+    /// `from`, the nearest first (Dijkstra 1959). Returns the last.
     template <class Visit>
     std::uint32_t walk(std::uint32_t from, const Visit& visit) {
         using Front = std::pair<double, std::uint32_t>;
@@ -124,7 +124,7 @@ void order_along_surface(std::span<std::uint32_t> vertices,
                          std::span<const std::array<std::uint32_t, 2>> edges,
                          std::span<const Vec4> rest_positions) {
     SurfaceCut(rest_positions.size(), edges, rest_positions).cut(vertices);
-    // Within a patch as they lie in memory.
+    // The vertices of a patch ascend, as they lie in memory.
     for (std::size_t at = 0; at < vertices.size(); at += patch_size)
         std::ranges::sort(vertices.subspan(at, std::min<std::size_t>(patch_size, vertices.size() - at)));
 }

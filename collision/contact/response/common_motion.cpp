@@ -12,18 +12,18 @@ using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
 using Decomposition = Eigen::JacobiSVD<Matrix3d>;
 
-// Share of the mean square extent that is added in every direction: a sheet of 1 m then follows the rigid
-// motion across layers that are less than 0.1 mm thick in all, and its own where they are thicker.
+// Fraction of the mean square extent that is added in every direction. The map of a sheet of 1 m then follows
+// the rigid motion across layers less than 0.1 mm thick in all, and the layers' own across thicker ones.
 constexpr double regularisation = 1e-8;
 
-// Below this share of the largest, a sum of singular values leaves the rotation about an axis open.
+// Least sum of singular values, as a fraction of the largest, that determines the rotation about an axis.
 constexpr double no_extent = 1e-6;
 
 bool is_finite(const Vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The first finite position, about which sums are taken: far from the origin they would lose the extents.
+/// The first finite position, the origin of sums: from a distant origin they would lose the extents.
 Vec4 point_near(std::span<const ParticleRange> group, std::span<const Vec4> positions) {
     for (const ParticleRange& range : group) {
         for (const Vec4& x : positions.subspan(range.first, range.count)) {
@@ -33,8 +33,8 @@ Vec4 point_near(std::span<const ParticleRange> group, std::span<const Vec4> posi
     return {};
 }
 
-/// The rotation nearest to a covariance of places after and before (Kabsch, 1976), or false where a whole
-/// family of them is equally near.
+/// Finds the rotation nearest to a covariance of places after and before (Kabsch, 1976). Returns false if a
+/// whole family is equally near.
 bool nearest_rotation(const Matrix3d& covariance, Matrix3d& rotation) {
     const Decomposition svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Vector3d s = svd.singularValues();

@@ -1,5 +1,5 @@
 #pragma once
-// How easily the corners of a pair open its gap, where pins leave them little to do it with.
+// Mobility of a pair's gap, with bounds where pins leave its corners little leverage.
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace weft {
 
-/// Where a pair is nearest next to pins of both sides, as along a cut that ends at one, what can move opens
-/// it by a small part of its own way, and would be flung off. So no corner is to go farther than so many
-/// times what the gap lacks,
+/// Where a pair is nearest next to pins of both sides, as along a cut that ends at one, movable corners open
+/// its gap by a small fraction of their own way, and would be flung off. No corner moves farther than this
+/// multiple of what the gap lacks.
 inline constexpr float farthest_for_gap = 2;
-/// and none at all where less than this part of its way gets there.
+/// No corner moves at all if less than this fraction of its way opens the gap.
 inline constexpr float least_of_way = 0.3f;
 
 /// Gap over impulse [1/kg], by the corners' inverse masses and weights, within these bounds; 0: nothing opens

@@ -11,12 +11,12 @@ namespace weft {
 
 namespace {
 
-// Differences to the first corner: weights add up to nothing, so that neither where a pair is nor a motion
-// that all corners share is in it, however large.
+// The gap from differences to the first corner: weights add up to 0, so that neither the pair's position nor
+// a motion that all corners share enters, however large.
 float predicted_gap(const FeaturePair& pair, const PairShape& shape, std::span<const Vec4> positions,
                     std::span<const Vec4> displacements) {
     const Vector4 x = load(positions[pair.corners[0]]), d = load(displacements[pair.corners[0]]);
-    Vector4 between = Vector4::Zero();  // w: of no use
+    Vector4 between = Vector4::Zero();  // w: unused
     for (std::uint32_t i = 1; i < 4; ++i) {
         const std::uint32_t corner = pair.corners[i];
         between += shape.weight(i) * ((load(positions[corner]) - x) + (load(displacements[corner]) - d));
@@ -50,7 +50,7 @@ std::uint32_t PairProjection::project(Parallel& parallel, std::span<const Vec4> 
         const std::uint32_t active = find_impulses(parallel, positions, pairs, exempt, wanted, displacements);
         if (active == 0) break;
         if (iteration == 0) first = active;
-        // Few of a list's pairs are too near: rows of these alone are sooner built than all are read.
+        // Few of a list's pairs are too near: building rows of these alone is faster than reading all.
         incidence_.build(parallel, pairs.pairs.span().first(pairs.size), has_impulse_.span());
         share_impulses(parallel, positions, pairs);
         apply_impulses(parallel, positions, pairs, displacements);
@@ -68,7 +68,7 @@ std::uint32_t PairProjection::find_impulses(Parallel& parallel, std::span<const 
         const float lacking = wanted[k] - predicted_gap(pair, shape, positions, displacements);
         if (!(lacking > 0)) return 0.0f;
         const float impulse = lacking / inverse_mass_of_gap(pair, shape, positions);
-        return std::isfinite(impulse) ? impulse : 0.0f;  // all its corners are pinned, or it is not a number
+        return std::isfinite(impulse) ? impulse : 0.0f;  // all corners are pinned, or it is not a number
     };
     const auto find_block = [&](const BlockRange& block) {
         std::uint32_t active = 0;

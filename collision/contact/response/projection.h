@@ -1,5 +1,5 @@
 #pragma once
-// What the solver wants, moved so that pairs come less near: before motion is cut, momentum is passed on.
+// Projection of the wanted motion: pairs come less near, and pass on momentum before their motion is cut.
 
 #include <cstdint>
 #include <span>
@@ -26,15 +26,15 @@ class PairProjection {
   public:
     void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
-    /// Up to `iterations` times: each pair whose gap after the motion, along its normal at the start, is less
-    /// than wanted, asks its corners for the impulse that would open it to that. It takes 1 / (such pairs of
-    /// its busiest corner that can move) of it: no particle goes farther than the mean of what is asked, and
-    /// both sides take the same share, so linear momentum is kept to rounding. Particles of inverse mass 0
-    /// stay as they are. Left out: pairs that are exempt (exempt[pair] != 0; may be empty) or whose
-    /// normal.w is not positive.
+    /// Projects up to `iterations` times. Each pair whose gap after the motion, along its normal at the
+    /// start, is less than wanted computes the impulse that would open it to that. The pair applies 1 / n of
+    /// it, with n such pairs at its busiest corner that can move. No particle moves farther than the mean of
+    /// what its pairs ask for. Both sides have the same share, so linear momentum is kept to rounding.
+    /// Particles of inverse mass 0 stay as they are. Pairs that are exempt (exempt[pair] != 0; may be empty),
+    /// or whose normal.w is not positive, are left out.
     /// positions.w is the inverse mass. Displacements [m] are of the step, in and out; their w is kept.
     /// Returns the pairs that were too near in the first iteration. A list with more pairs than reserved for
-    /// is left as it is. One with too many pairs to be complete is projected as far as it goes.
+    /// is left as it is. A list that overflowed is projected as far as it goes.
     std::uint32_t project(Parallel& parallel, std::span<const Vec4> positions, const PairList& pairs,
                           std::span<const std::uint8_t> exempt, PairLengths wanted, std::uint32_t iterations,
                           std::span<Vec4> displacements);

@@ -10,10 +10,10 @@ namespace weft {
 
 namespace {
 
-// Pairs that rounding brought too near are held, which can bring others too near, and so on: not for ever.
+// Limit of rounds that hold pairs brought too near by rounding: held pairs can bring others too near.
 constexpr int most_rounds_of_rounding = 3;
 
-// Of the gap that a pair must keep, as much must be left after rounding.
+// Fraction of the gap that a pair keeps that must be left after rounding.
 constexpr float left_after_rounding = 0.5f;
 
 float gap_along(const Vector3& normal, const FeaturePair& pair, std::uint32_t corners_of_a,
@@ -146,8 +146,8 @@ void Settler::place_ends(Parallel& parallel, const BodyGroup& group, std::span<c
     });
 }
 
-// The certificate again, of the ends as rounded. Along (A^-1)^T n the map's image of a gap is as wide as the
-// gap was along n.
+// Tests the certificate again, at the ends as rounded. Along (A^-1)^T n the map's image of a gap is as wide
+// as the gap was along n.
 std::uint32_t Settler::find_rounded_away(Parallel& parallel, const PairList& pairs,
                                          std::uint32_t& uncertain) {
     const Matrix3 to_ends = common_.inverse.transpose();

@@ -1,5 +1,5 @@
 #pragma once
-// Settling: takes the motion that a solver wants of a group, and returns one that crosses nothing.
+// Settling: turns the motion that a solver wants for a group into one that crosses nothing.
 
 #include <cstdint>
 #include <span>
@@ -18,40 +18,40 @@ namespace weft {
 struct BodyGroup {
     std::span<const ParticleRange> particles;
     std::span<const Vec4> positions;  ///< at the start, free of crossings [m]; w = inverse mass
-    /// Nothing else holds any of its particles. Then what settling takes of its momentum all get back alike,
-    /// which brings nothing nearer.
+    /// Whether nothing else holds any of its particles. All of them then get back the momentum that settling
+    /// takes, by one displacement, which brings nothing nearer.
     bool is_free = false;
-    /// Some are at a place that is given, off which a common motion may draw them. So where the list is
-    /// incomplete, none moves.
+    /// Whether some particles are pinned to given places, off which a common motion may draw them. If the
+    /// list is incomplete, none of the group then moves.
     bool is_pinned = false;
 };
 
 struct SettleResult {
     CommonMotionKind common = CommonMotionKind::none;
-    bool list_was_incomplete = false;  ///< all particles have the common motion, or none
-    /// The common motion would draw a pinned particle farther off than where it stands still; displacements
-    /// are as they were. To be split and settled anew without one.
+    bool list_was_incomplete = false;  ///< all particles got the common motion, or none moved
+    /// Whether the common motion would leave a pinned particle farther from its place than standing still.
+    /// Displacements are then unchanged: split and settle again without a common motion.
     bool draws_pins = false;
     std::uint32_t truncated = 0;        ///< particles with tau < 1
     std::uint32_t standing_planes = 0;  ///< pairs whose plane had to stand still
     std::uint32_t sweeps = 0;
-    std::uint32_t uncertain = 0;  ///< pairs as near as rounding, which may have crossed by it
-    /// Share of the way that all particles wanted to go: the sum of |wanted - had| over that of |wanted|.
+    std::uint32_t uncertain = 0;  ///< pairs with no more gap than rounding, which may have crossed by it
+    /// Fraction of all particles' motion that was cut: the sum of |wanted - had| over that of |wanted|.
     float motion_lost = 0;
 };
 
-/// Four steps, in this order, for one group after another:
-///   1. project: pairs found at x, with the displacements wanted.
-///   2. split: the common motion is taken out, and relative() is what the next detection's motions are.
+/// Settles one group after another, each in four steps:
+///   1. project: separates pairs found at x, within the displacements wanted.
+///   2. split: takes out the common motion; relative() has the motions for the next detection.
 ///   3. The caller finds pairs, again at x, with motions = relative(), of the group's bodies.
 ///   4. settle: cuts displacements, with that list.
-/// The state x + displacement then has no crossing, if x has none, save in pairs that are exempt. That is for
-/// the sum rounded to float.
+/// The state x + displacement, rounded to float, then has no crossing if x has none, except in pairs that are
+/// exempt.
 class Settler {
   public:
-    /// For groups of that many particles, bodies and pairs in all.
+    /// Reserves memory for groups of that many particles, bodies and pairs in all.
     void lay_out(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs);
-    /// The same in two: what split() needs, and what only project() and settle() do.
+    /// lay_out() in two parts: memory for split(), and memory for project() and settle() only.
     void lay_out_split(Scratch& scratch, std::size_t particles, std::size_t bodies);
     void lay_out_cut(Scratch& scratch, std::size_t particles, std::size_t bodies, std::size_t pairs);
 
@@ -63,7 +63,7 @@ class Settler {
                                    displacements);
     }
 
-    /// `most`: the most that the common motion may be; none: there is none.
+    /// Takes out the common motion. `most`: its most general kind; none: there is no common motion.
     void split(Parallel& parallel, const BodyGroup& group, std::span<const Vec4> displacements,
                CommonMotionKind most = CommonMotionKind::affine);
     /// Displacements without the common motion, in its frame [m], of all bodies' particles.
@@ -103,7 +103,7 @@ class Settler {
     CommonMotionFit fit_;
     Truncation truncation_;
     CommonMotion common_;
-    Vector3 given_back_ = Vector3::Zero();  // to every particle of a free group [m]
+    Vector3 given_back_ = Vector3::Zero();  // displacement of every particle of a free group [m]
     ScratchArray<Vec4> relative_;
     ScratchArray<Vec4> ends_;          // rounded positions at the end of the step
     ScratchArray<std::uint8_t> held_;  // by pair: rounding took its gap

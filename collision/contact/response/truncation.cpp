@@ -11,15 +11,15 @@ namespace weft {
 
 namespace {
 
-// A gap counts as kept if this share of it is: rounding then asks for no further sweep.
+// Fraction of a gap that counts as kept: rounding then causes no further sweep.
 constexpr float tolerance = 0.99f;
 
-// A cut vertex stops this share of its way short of its plane, for the same reason. It takes more than the
-// rounding of that share: the vertex, rounded to the nearest float, is within its plane, which is a float.
+// Fraction of its way to the plane that a cut vertex moves, for the same reason. The rest is more than that
+// product's rounding: the vertex, rounded to the nearest float, is within its plane, which is a float.
 constexpr float short_of_plane = 0.999f;
 
-// Rounding of coordinates to float takes up to 2^-24 of the largest from each, of three on two sides: of the
-// gap 2e-7 times the largest coordinate. A gap of twice that survives.
+// Rounding to float changes each of three coordinates on two sides by up to 2^-24 of the largest, and the gap
+// by 2e-7 times the largest coordinate. A gap of twice that survives.
 constexpr float kept_per_coordinate = 4e-7f;
 
 constexpr std::uint32_t most_rounds_of_standing_planes = 30;
@@ -43,7 +43,7 @@ struct Truncation::Sides {
         }
     }
 
-    /// Where A must stay above and B below, so that both may come as near as they want in proportion.
+    /// Planes that A must stay above and B below; the sides share the gap in proportion to their motion.
     void moving_planes(float kept, float& lower_a, float& upper_b) const {
         const float close_a = std::max(0.0f, a0 - a), close_b = std::max(0.0f, b - b0);
         if (close_a > 0 && close_b > 0) {
@@ -160,14 +160,14 @@ void Truncation::cut_until_none_fails(Parallel& parallel, const PairList& pairs,
     sweep(parallel, pairs, Planes::stand, true);
 }
 
-/// Returns how many pairs failed, and cuts their vertices.
+/// Cuts the vertices of failing pairs, and returns the number of these pairs.
 std::uint32_t Truncation::sweep(Parallel& parallel, const PairList& pairs, Planes planes, bool first) {
     const auto was_cut = [&](std::uint32_t particle) { return was_cut_[particle] != 0; };
     const auto limit_block = [&](const BlockRange& block) {
         std::uint32_t count = 0;
         for (std::uint32_t k = block.begin; k < block.end; ++k) {
             if (can_fail_[k] == 0) continue;
-            // Where no corner was cut since, a pair stands as it did.
+            // A pair without a corner that the last sweep cut holds as before.
             failed_[k] = (first || std::ranges::any_of(pairs.pairs[k].corners, was_cut)) &&
                          limit_pair(pairs, k, planes, limits_[k]);
             count += failed_[k];
@@ -181,8 +181,8 @@ std::uint32_t Truncation::sweep(Parallel& parallel, const PairList& pairs, Plane
     return failed;
 }
 
-/// Whether the pair fails, and then what its corners may do: at least one of them less than now, so that
-/// sweeps get on, or the pair stands and is done.
+/// Whether the pair fails. `limits` then has the largest tau of its corners: at least one is less than now,
+/// so that sweeps make progress, or the pair becomes standing and is done.
 bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes planes, Limits& limits) {
     const std::array<std::uint32_t, 4>& corners = pairs.pairs[pair].corners;
     const Lane& lane = lanes_[pair];
@@ -198,8 +198,8 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
     const Sides sides(lane, corners_of_a, tau);
     if (planes != Planes::stand && sides.a - sides.b >= tolerance * lane.kept) return false;
 
-    // The value of a corner changes one way only as tau grows, also as rounded. So whatever is within its
-    // plane for one tau is so for all that are less.
+    // A corner's value is monotonic in tau, also when rounded: a corner that is within its plane for one tau
+    // is so for every smaller one.
     const auto cut_to_planes = [&](float lower_a, float upper_b) {
         lower_a = std::min(lower_a, sides.a0);  // at tau = 0 all are within, whatever the rounding
         upper_b = std::max(upper_b, sides.b0);

@@ -1,19 +1,19 @@
 #pragma once
-// How far each particle may go of its motion, so that no pair of features meets: divide and truncate (planes
-// between the sides of pairs, arXiv 2604.15513, 2026), with planes that move along where they can (ours).
+// Truncation: cuts each particle's motion so that no pair of features meets. Divide and truncate (planes
+// between the sides of pairs, arXiv 2604.15513, 2026), with planes that move where they can (ours).
 //
-// The certificate. Of a pair with unit normal n at x, and motions E of which particle i goes the part tau_i:
+// The certificate of a pair with unit normal n at x; particle i moves the fraction tau_i of its motion E_i:
 //     a(s) = min over A of n . (x_i + s tau_i E_i),    b(s) = max over B of n . (x_j + s tau_j E_j),
-// for s from 0, the start, to 1, the end. Where a > b, a plane across n is between the sides, and they do not
-// meet. Each n . x_i(s) is linear in s; the least of linear functions is concave, and so is minus the
-// greatest; so the gap a - b is concave, and nowhere less than the smaller of its two ends. So a gap of at
-// least eps at both ends is one all the way, and only the end need be looked at. No other time, no other
+// for s from 0, the start, to 1, the end. If a > b, a plane across n separates the sides, and they do not
+// meet. Each n . x_i(s) is linear in s. The least of linear functions is concave, and so is minus the
+// greatest: the gap a - b is concave, and nowhere less than the smaller of its two ends. A gap of at least
+// eps at both ends is thus one all the way, and only the end has to be tested: no other time, no other
 // direction, no root of a cubic.
 //
-// Where the end fails, vertices that close the gap are cut, and no others: what is left of the gap is shared
-// in the ratio in which the sides close it. A cut vertex may bring another pair to fail, hence sweeps. A pair
-// that keeps failing gets a plane that stands still in the middle of its gap, with A on one side and B on the
-// other: cutting any vertex further leaves that true. So after a bounded number of rounds no pair fails.
+// If the end fails, only the vertices that close the gap are cut: the rest of the gap is shared in the ratio
+// in which the sides close it. A cut vertex may make another pair fail, hence sweeps. A pair that keeps
+// failing gets a plane that stands still in the middle of its gap, with A on one side and B on the other:
+// further cuts leave that true. After a bounded number of rounds no pair fails.
 
 #include <cstdint>
 #include <span>
@@ -27,22 +27,22 @@
 namespace weft {
 
 struct TruncationSettings {
-    /// A gap is never cut below this [m], unless it was at the start; then it may not become less. Rounding
-    /// at the end of the step must not cross it: where coordinates are so large that it could, more is kept.
+    /// Least gap that a pair keeps [m]; a pair that starts with a smaller gap keeps that one. Rounding at the
+    /// end of the step must not close it: where coordinates are so large that it could, more is kept.
     float floor = 1e-5f;
-    std::uint32_t sweeps = 30;  ///< before planes stand still
+    std::uint32_t sweeps = 30;  ///< sweeps before planes stand still
 };
 
 class Truncation {
   public:
     void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
 
-    /// Finds tau. Each pair keeps a gap of min(floor, gap at the start), save those that are exempt
+    /// Finds tau. Each pair keeps a gap of min(floor, gap at the start), except those that are exempt
     /// (exempt[pair] != 0; may be empty). Corners of other pairs without a positive gap do not move, nor do
-    /// those of a pair with a value that is not finite. Pinned particles are cut as all others.
+    /// those of a pair with a value that is not finite. Pinned particles are cut like all others.
     /// Preconditions: the list holds all pairs that these motions bring nearer than the floor (E, without
-    /// common motion: PairFinder::find with motions = E). Where it is incomplete (overflowed, or more pairs
-    /// than reserved for), tau is 0 for all. Spans are of all bodies' particles.
+    /// common motion: PairFinder::find with motions = E). If it is incomplete (overflowed, or more pairs than
+    /// reserved for), tau is 0 for all. Spans are of all bodies' particles.
     void cut(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
              const PairList& pairs, std::span<const std::uint8_t> exempt, const TruncationSettings& settings);
 
@@ -53,7 +53,7 @@ class Truncation {
 
     /// tau of every particle, 0 to 1.
     [[nodiscard]] std::span<const float> fractions() const noexcept { return fractions_.span(); }
-    /// The gap that the pair keeps [m]; 0 for those that were left out or do not move.
+    /// The gap that the pair keeps [m], 0 without one at the start; without meaning for pairs left out.
     [[nodiscard]] float kept_gap(std::uint32_t pair) const noexcept { return lanes_[pair].kept; }
     /// Whether a pair was left out.
     [[nodiscard]] bool is_left_out(std::uint32_t pair) const noexcept { return kinds_[pair] == left_out; }
@@ -63,13 +63,13 @@ class Truncation {
     [[nodiscard]] std::uint32_t standing_planes(Parallel& parallel, const PairList& pairs);
 
   private:
-    /// What a pair's sides do along its normal, from its first corner.
+    /// Positions from the first corner and motions of a pair's corners, along the pair's normal.
     struct Lane {
         float start[4], motion[4];  // n . x and n . E of its corners [m]
         float kept;                 // the gap that must be kept [m]
     };
     struct Limits {
-        float of[4];  // what tau of each corner may be
+        float of[4];  // the largest tau of each corner
     };
     enum Kind : std::uint8_t {
         at_ease,   // keeps its gap whatever tau is

@@ -1,6 +1,5 @@
 #pragma once
-// Shapes that a World holds once, of which colliders are placed instances: what props, terrain and bodies are
-// made of.
+// Shapes that a World holds once, and of which colliders are placed instances: props, terrain and bodies.
 
 #include <array>
 #include <cstdint>
@@ -11,26 +10,25 @@
 
 namespace weft {
 
-/// Generation-checked; all-zero is null.
+/// A generation-checked id; all-zero is null.
 struct ShapeId {
     std::uint32_t index = 0, generation = 0;
     friend bool operator==(ShapeId, ShapeId) = default;
 };
 
-/// Triangles as they are. Which side of a closed mesh a point is on follows from the nearest triangle, edge
-/// or vertex. Vertices at the same position count as one. Coordinates from -1e5 to 1e5 m, at most 2^22
-/// triangles.
+/// A triangle mesh. The nearest triangle, edge or vertex decides on which side of a closed mesh a point is.
+/// Vertices at the same position count as one. Coordinates from -1e5 to 1e5 m, at most 2^22 triangles.
 struct TriangleMesh {
     std::span<const Vec3> vertices{};  ///< [m]
     /// Counter-clockwise seen from outside.
     std::span<const std::array<std::uint32_t, 3>> triangles{};
-    /// Its inside is solid. Every edge is to have two triangles then. Else it is a sheet with two sides, and
-    /// keeps cloth on that on which it came.
+    /// A closed mesh is solid inside, and each edge must have two triangles. An open one is a sheet with two
+    /// sides, and keeps cloth on the side from which it came.
     bool closed = true;
 };
 
-/// The least convex solid around points; those within it are dropped. Error: all of them within a thousandth
-/// of a millimetre and a millionth of their extent of a plane.
+/// The least convex solid around points; those within it are dropped. Error: all points lie within a
+/// thousandth of a millimetre and a millionth of their extent of a plane.
 struct ConvexHull {
     std::span<const Vec3> points{};  ///< [m], at least 4, at most 2^16
 };
@@ -43,21 +41,21 @@ struct HeightField {
     std::span<const float> heights{};     ///< [m], each from -1e5 to 1e5
 };
 
-/// Distances from a closed mesh at the corners of cells, trilinear between them: as fast for a million
-/// triangles as for ten. Nowhere wrong by more than 0.87 of a cell, the farthest that a point is from
-/// corners, and on faces by far less; sharp edges are rounded by up to half a cell.
+/// Distances from a closed mesh at the corners of cells, interpolated trilinearly: as fast for a million
+/// triangles as for ten. The error is at most 0.87 of a cell, the greatest distance of a point from corners,
+/// and far less on faces; sharp edges are rounded by up to half a cell.
 struct DistanceField {
-    TriangleMesh mesh{};  ///< it is not kept
+    TriangleMesh mesh{};  ///< read while the shape is made; not kept
     float cell = 0.02f;   ///< [m], at least a 512th of the mesh's longest side, for at most 2^24 corners
 };
 
 using Shape = std::variant<TriangleMesh, ConvexHull, HeightField, DistanceField>;
 
-/// What the World made of one.
+/// Size and accuracy of a shape that the World has made.
 struct ShapeInfo {
     std::uint32_t triangles = 0;  ///< of a mesh, a hull or a height field
-    Bounds bounds{};              ///< in its own space [m]
-    float error = 0;              ///< of distances at most [m], but for rounding
+    Bounds bounds{};              ///< bounding box in its local frame [m]
+    float error = 0;              ///< greatest error of distances [m], but for rounding
     std::uint64_t bytes = 0;
 };
 

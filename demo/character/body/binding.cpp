@@ -8,7 +8,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float least_distance = 0.01f;  // below it a limb is as near as can be [m]
+constexpr float least_distance = 0.01f;  // added to all distances, to keep weights finite [m]
 
 Error misfit(std::size_t point, const std::string& what) {
     return {ErrorCode::invalid_argument, "point " + std::to_string(point) + " " + what};

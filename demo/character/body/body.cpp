@@ -38,8 +38,8 @@ class LimbMaker {
     }
     void add(const Limb::End& a, const Limb::End& b) { limbs_.push_back({a, b}); }
 
-    /// Two columns, from the hips to the waist and on to the shoulders, as far apart as hips and shoulders
-    /// say.
+    /// Adds two columns, from the hips to the waist and on to the shoulders. Their distance is in proportion
+    /// to the widths of hips and shoulders.
     void add_torso() {
         const Vector3 low = 0.4f * at(Part::hips) + 0.3f * (at(Part::left_thigh) + at(Part::right_thigh));
         const Vector3 waist = at(Part::hips) + 0.33f * (at(Part::neck) - at(Part::hips));
@@ -93,7 +93,7 @@ class LimbMaker {
         add(end(joints_[foot], at(foot), ankle * calf), end(joints_[foot], at(part(Part::left_toes)), toes));
     }
 
-    /// Of all that hangs on the joint, what is farthest from it.
+    /// Position of the joint's descendant that is farthest from it; its own position without descendants.
     [[nodiscard]] Vector3 farthest(std::size_t joint) const {
         Vector3 found = rest_.positions[joint];
         std::vector<bool> below(skeleton_.size(), false);
@@ -184,8 +184,8 @@ JointAngles Body::stance(const Skeleton& skeleton, float arms, float apart) cons
     return angles;
 }
 
-/// Where one ball does not hold the other, the surface is a cone between two circles that lie `sine` times
-/// the radii before their middles (I. Quilez, "Round cone", 2018, in other words).
+/// Unless one ball contains the other, a cone joins them. It touches each ball in a circle whose plane is
+/// `sine` times the radius from the centre, along the axis (I. Quilez, "Round cone", 2018).
 SurfaceDistance distance_to(const TaperedCapsule& capsule, const Vector3& point) {
     const Vector3 a = to_vector(capsule.a), b = to_vector(capsule.b);
     const Vector3 axis = b - a, from_a = point - a;

@@ -1,5 +1,5 @@
 #pragma once
-// A body of tapered capsules that follows a skeleton, as thick as its bones' lengths let expect.
+// A body of tapered capsules that follows a skeleton. Radii are in proportion to bone lengths.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace weft::demo {
 
-/// A tapered capsule whose ends each stand still as seen from a joint.
+/// A tapered capsule. Each end is fixed in a joint's frame.
 struct Limb {
     struct End {
         std::size_t joint;
@@ -20,18 +20,18 @@ struct Limb {
 
 class Body {
   public:
-    /// Error: find_body_joints', or bones of no length, by name.
+    /// Error: find_body_joints()'s, or a bone outside 0.01 to 10 m, with its joints' names.
     [[nodiscard]] static Result<Body> create(const Skeleton& skeleton);
 
     [[nodiscard]] const std::vector<Limb>& limbs() const { return limbs_; }
     [[nodiscard]] const BodyJoints& joints() const { return joints_; }
-    /// What limb `limb` is in this pose, its radii times `growth`.
+    /// Limb `limb` in this pose, its radii multiplied by `growth`.
     [[nodiscard]] TaperedCapsule placed(std::size_t limb, const Pose& pose, float growth = 1) const;
-    /// All of it.
+    /// Writes placed() of all limbs.
     void place(const Pose& pose, float growth, std::vector<TaperedCapsule>& capsules) const;
 
-    /// Upright on the ground: legs straight, `apart` times their length to the side, arms lowered by `arms`
-    /// degrees from the horizontal.
+    /// Joint angles of a person upright on the ground. Straight legs stand `apart` times their length to the
+    /// side; arms are lowered by `arms` degrees from the horizontal.
     [[nodiscard]] JointAngles stance(const Skeleton& skeleton, float arms, float apart = 0.02f) const;
 
   private:
@@ -41,7 +41,7 @@ class Body {
     std::vector<Limb> limbs_;
 };
 
-/// Of a point from a tapered capsule's surface [m], negative inside, and the way out.
+/// Signed distance of a point from a tapered capsule's surface [m], negative inside, and the outward normal.
 struct SurfaceDistance {
     float distance;
     Vector3 normal;

@@ -1,5 +1,5 @@
 #pragma once
-// Which of a skeleton's joints is what part of a person, whatever the file calls them.
+// Maps the parts of a person to a skeleton's joints, under the names that motion files use.
 
 #include <array>
 
@@ -32,14 +32,13 @@ enum class Part : std::uint8_t {
 
 struct BodyJoints {
     std::array<std::size_t, static_cast<std::size_t>(Part::count)> of_part{};
-    std::size_t spine =
-        0;  ///< between hips and chest, nearest to their middle; the chest where there is none
+    std::size_t spine = 0;  ///< joint nearest to half way from hips to chest; may be the chest
 
     [[nodiscard]] std::size_t operator[](Part part) const { return of_part[static_cast<std::size_t>(part)]; }
 };
 
-/// By the names of the CMU database, of Mixamo and of cgspeed. Error: the joints that are missing, each with
-/// the names that it could have.
+/// Finds joints by the names of the CMU database, of Mixamo and of cgspeed. Error: lists the missing joints,
+/// each with its possible names.
 [[nodiscard]] Result<BodyJoints> find_body_joints(const Skeleton& skeleton);
 
 }  // namespace weft::demo

@@ -9,7 +9,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float legs_apart = 0.25f, arms_lowered = 30;  // of the stance in which limbs are joined
+constexpr float legs_apart = 0.25f, arms_lowered = 30;  // stance in which limbs are joined; arms in degrees
 
 struct NearestLimb {
     SurfaceDistance surface{std::numeric_limits<float>::max(), Vector3::UnitY()};
@@ -25,7 +25,7 @@ NearestLimb nearest_limb(const std::vector<TaperedCapsule>& limbs, const Vector3
     return nearest;
 }
 
-/// Where the distance from limbs is 0, between the corners of a grid.
+/// The surface at distance 0 from the limbs, from distances at the corners of a grid.
 class Tetrahedra {
   public:
     Tetrahedra(const std::vector<TaperedCapsule>& limbs, float cell) : limbs_(limbs), cell_(cell) {
@@ -43,7 +43,7 @@ class Tetrahedra {
         find_distances();
     }
 
-    /// Six tetrahedra about each cell's long diagonal: neighbours cut the sides that they share alike.
+    /// Splits each cell into six tetrahedra about its long diagonal; neighbours split shared sides alike.
     [[nodiscard]] Mesh surface() {
         constexpr std::array<std::array<std::size_t, 4>, 6> of_cell{
             {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
@@ -70,7 +70,7 @@ class Tetrahedra {
         return origin_ + cell_ * Vector3(static_cast<float>(x), static_cast<float>(rows % corners_[1]),
                                          static_cast<float>(rows / corners_[1]));
     }
-    /// None of them next to 0, where triangles would have no area.
+    /// Computes distances at all corners. Those next to 0 are enlarged: triangles would have no area there.
     void find_distances() {
         distances_.resize(corners_[0] * corners_[1] * corners_[2]);
         const float least = 0.15f * cell_;
@@ -96,9 +96,9 @@ class Tetrahedra {
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turned) {
         mesh_.triangles.push_back(turned ? Triangle{a, c, b} : Triangle{a, b, c});
     }
-    /// Corners wind so that the last three are counter-clockwise seen from the first, or all clockwise.
+    /// Adds a tetrahedron's triangles. Their winding relies on all tetrahedra having the same orientation.
     void cut(const std::array<std::size_t, 4>& at) {
-        std::array<std::size_t, 4> order{};  // those inside first, by an even number of exchanges or not
+        std::array<std::size_t, 4> order{};  // corners inside first; `odd`: its parity
         std::size_t inside = 0;
         for (std::size_t k = 0; k < 4; ++k)
             if (distances_[at[k]] < 0) order[inside++] = k;

@@ -8,8 +8,8 @@ namespace weft::demo {
 namespace {
 
 constexpr float gap = 0.009f;         // between body and dress [m]
-constexpr float flare = 0.42f;        // by which the skirt's radius grows along its height
-constexpr float bodice_part = 0.33f;  // of the dress's height
+constexpr float flare = 0.42f;        // growth of the skirt's radius over its drop in height
+constexpr float bodice_part = 0.33f;  // share of the rows
 
 /// Rings about the body's axis, from the bodice's rim to the hem.
 class DressMaker {
@@ -27,7 +27,7 @@ class DressMaker {
     }
 
     [[nodiscard]] Garment make(std::uint32_t vertices) const {
-        // Two vertices along the hem for three down: there the rings are widest.
+        // Along the hem, the widest ring, two vertices have the length of three down the skirt.
         const auto columns = static_cast<std::uint32_t>(std::lround(std::sqrt(1.85 * vertices)));
         const std::uint32_t rows = vertices / columns;
         const auto fixed_rows =
@@ -73,7 +73,7 @@ class DressMaker {
         return waist_ + (hem_ - waist_) * (r - last_fixed) / (static_cast<float>(rows - 1) - last_fixed);
     }
 
-    /// Where a ray from outside first comes within the gap of the trunk; the waist's radius below the crotch.
+    /// Radius at which a ray from outside first comes within the gap of the trunk; at least 0.02 [m].
     [[nodiscard]] float radius_at(float height, float angle) const {
         const Vector3 out(std::sin(angle), 0, std::cos(angle));
         float radius = 0.6f;

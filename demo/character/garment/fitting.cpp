@@ -9,12 +9,12 @@
 namespace weft::demo {
 namespace {
 
-constexpr float gap_held = 0.007f;   // between the body and what is held to it [m]
-constexpr float most_apart = 0.25f;  // of the opening from the body, on the whole, for one that fits [m]
-constexpr float least_radius_part = 0.3f;  // of the body's, when it begins to grow
-constexpr float deep = 0.008f;             // what a garment need not give way to is less inside than this [m]
-constexpr float most_deep = 0.03f;     // share of the vertices that may be deeper, of one that is wide enough
-constexpr std::size_t samples = 1500;  // vertices by which places are compared
+constexpr float gap_held = 0.007f;         // between the body and vertices held to it [m]
+constexpr float most_apart = 0.25f;        // mean move of fixed vertices, if a garment fits [m]
+constexpr float least_radius_part = 0.3f;  // radii over their final size when growth begins
+constexpr float deep = 0.008f;             // greater penetration depths count as deep [m]
+constexpr float most_deep = 0.03f;         // greatest share of deep vertices in a garment that is wide enough
+constexpr std::size_t samples = 1500;      // vertices, about, at which a place's cost is sampled
 
 struct Nearest {
     float distance = std::numeric_limits<float>::max();
@@ -30,7 +30,7 @@ Nearest nearest_surface_of(const std::vector<TaperedCapsule>& capsules, const Ve
     return nearest;
 }
 
-/// One body in one stance, and what a garment costs where it is moved to.
+/// One body in one stance, and the cost of placing a garment on it.
 class FittingRoom {
   public:
     FittingRoom(const Skeleton& skeleton, const Body& body, float arms, float girth = 1) {
@@ -42,13 +42,13 @@ class FittingRoom {
     }
 
     [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
-    /// Where the middle of a garment's highest opening belongs.
+    /// Target of the middle of a garment's highest opening [m].
     [[nodiscard]] Vector3 place_of_opening(bool from_waist) const {
         return from_waist ? Vector3(hips_ + 0.3f * (neck_ - hips_)) : neck_;
     }
 
-    /// Mean squares of the way on which the garment comes out, and of how far its opening is from the body
-    /// [m^2].
+    /// Cost of a place [m^2]: mean squares of the depth inside, times 20, and of the opening's distance from
+    /// gap_held.
     [[nodiscard]] float cost(const Garment& garment, const std::vector<Vector3>& normals,
                              const Vector3& shift) const {
         const std::vector<Vec3>& points = garment.mesh.positions;
@@ -75,7 +75,7 @@ class FittingRoom {
         return static_cast<float>(inside) / static_cast<float>(mesh.positions.size());
     }
 
-    /// Out of the body, or up to it where `draw`.
+    /// Moves a point inside the body, or any point where `draw`, to gap_held from the body.
     [[nodiscard]] Vec3 held(const Vec3& start, bool draw) const {
         Vector3 p = to_vector(start);
         for (int i = 0; i < 20; ++i) {
@@ -87,7 +87,7 @@ class FittingRoom {
     }
 
   private:
-    /// Along the garment's own normal: what has a limb's axis on its outside is far from coming out.
+    /// Depth along the garment's own normal [m]: a point beyond a limb's axis has to cross the limb.
     [[nodiscard]] float way_out(const Vector3& point, const Vector3& normal) const {
         float way = 0;
         for (int i = 0; i < 20; ++i) {
@@ -108,7 +108,7 @@ struct Place {
     Vector3 shift = Vector3::Zero();
 };
 
-/// The best of a grid of places about `centre`.
+/// Updates `best` with the cheapest of a grid of places about `centre`.
 void search(const FittingRoom& room, const Garment& garment, const std::vector<Vector3>& normals, float arms,
             const Vector3& centre, float reach, int steps, Place& best) {
     for (int y = -steps; y <= steps; ++y) {
@@ -141,7 +141,7 @@ Place find_place(const Skeleton& skeleton, const Body& body, const Garment& garm
     return best;
 }
 
-/// The greatest for which the garment is wide enough.
+/// The greatest girth for which the garment is wide enough, at least 0.8.
 float find_girth(const Skeleton& skeleton, const Body& body, const Mesh& mesh, float arms) {
     const std::vector<Vector3> normals = outward_normals(mesh);
     float girth = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// What somebody wears: a mesh of which one part is simulated and the other fixed to the body.
+// A garment: a mesh of which one part is simulated and the other fixed to the body.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace weft::demo {
 
-/// A number for each vertex.
+/// A map with its value for each vertex.
 struct PaintedMap {
     Map map;
     std::vector<float> values;
@@ -19,13 +19,13 @@ struct PaintedMap {
 struct Garment {
     Mesh mesh;
     std::vector<std::uint32_t>
-        fixed;  ///< vertices, ascending, one at least for each position; empty: it hangs
+        fixed;  ///< vertices, ascending, at least one for each fixed position; empty: none is fixed
     Vec3 colour{0.30f, 0.05f, 0.12f};  ///< linear RGB
-    bool stands_ready = false;         ///< round a body in its stance; else it has to be brought there
+    bool stands_ready = false;         ///< round a body in its stance; otherwise fit() moves it there
     bool from_waist = false;           ///< it hangs from the waist, not from neck and shoulders
-    std::vector<PaintedMap> maps{};    ///< but pins, which are fixed
-    Mesh fine{};  ///< of the same shape, to be drawn over the mesh; empty: the mesh is drawn
-    std::vector<std::string> notes;  ///< what its reader went on from: a material file that is missing
+    std::vector<PaintedMap> maps{};    ///< without Map::pin, whose vertices are in `fixed`
+    Mesh fine{};  ///< finer mesh of the same shape that is drawn instead; empty: `mesh` is drawn
+    std::vector<std::string> notes;  ///< faults that the reader tolerated: a missing material file
 };
 
 /// A dress without sleeves for this body in this pose, of about `vertices` (at least 16): a bodice that is

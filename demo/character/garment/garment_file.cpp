@@ -18,7 +18,7 @@ namespace {
 
 constexpr float smallest = 0.1f, largest = 3;  // [m]
 
-/// What an OBJ file says of materials.
+/// The materials of an OBJ file, and the vertices that have them.
 struct MaterialUse {
     std::vector<std::string> names;     // in order of use
     std::vector<bool> used, simulated;  // by `v` line
@@ -26,7 +26,7 @@ struct MaterialUse {
     std::size_t vertices = 0;  // `v` lines
 };
 
-/// The rest of a line is one name, blanks and all.
+/// The rest of a line as one name, inner blanks included.
 std::string whole_name(std::string_view text) {
     const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
     const std::size_t end = text.find_last_not_of(" \t");
@@ -37,7 +37,7 @@ bool is_simulated(std::string_view material) {
     return material.ends_with("Free");
 }
 
-/// load_obj has read the file before and found its indices sound.
+/// Marks the vertices of a face. Precondition: load_obj has checked the file's indices.
 void use_face(std::string_view corners, bool simulated, MaterialUse& use) {
     for (std::string_view corner = take_word(corners); !corner.empty(); corner = take_word(corners)) {
         std::int64_t index = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Garments from Wavefront OBJ files, and the materials that say what of them is simulated.
+// Garments from Wavefront OBJ files, whose materials decide which vertices are simulated.
 
 #include <filesystem>
 
@@ -8,18 +8,17 @@
 
 namespace weft::demo {
 
-/// Where a file has materials (`usemtl`), vertices of faces whose material's name ends in "Free" are
-/// simulated, all others are fixed to the body; the garment is +Y up and stands round the body's stance. A
-/// file without any is +Z up, stands anywhere, and is held by its highest opening: round the waist if it has
-/// one other, else about the neck.
+/// Vertices of faces whose material's name (`usemtl`) ends in "Free" are simulated, all others are fixed to
+/// the body. Such a garment is +Y up and stands round the body's stance. A file without materials is +Z up
+/// and stands anywhere. The body holds it by its highest opening: round the waist if it has one other
+/// opening, otherwise about the neck.
 ///
-/// The names alone decide. From the file that `mtllib` names come colours (Kd of the first Free material);
-/// where it is missing, or lacks a material, the garment has its default colour and a note says so. Texture
-/// coordinates in metres are the flat pattern.
-/// Beside it there may be maps (painted_maps.h).
+/// The names alone decide. The file that `mtllib` names gives the colour (Kd of the first Free material).
+/// Where the file or the material is missing, the garment has its default colour and a note says so. Texture
+/// coordinates in metres are the flat pattern. Maps may stand beside the file (painted_maps.h).
 ///
-/// Errors: load_obj's; read_maps'; materials none of which ends in "Free"; a garment less than 0.1 m or more
-/// than 3 m high, or wide, for which nobody here is the right size.
+/// Errors: load_obj's; read_maps'; materials none of which ends in "Free"; a garment of more than 3 m along
+/// any axis, or of less than 0.1 m along the file's z.
 [[nodiscard]] Result<Garment> read_garment(const std::filesystem::path& file);
 
 }  // namespace weft::demo

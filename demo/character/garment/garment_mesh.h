@@ -1,5 +1,5 @@
 #pragma once
-// Garments as files hold them, made ready to hang.
+// Operations on garments' meshes: placement, refinement, patterns, openings and normals.
 
 #include <cstdint>
 #include <vector>
@@ -20,20 +20,20 @@ void stand_upright(Mesh& mesh, float lowest);
 /// own.
 void drop_unfit_pattern(Mesh& mesh);
 
-/// The vertices around the highest opening (by mean height), one for each position: a neck, or a waist. Those
-/// of the topmost fiftieth where the mesh has no opening.
+/// The vertices around the highest opening (by mean height), one for each position: a neck, or a waist. A
+/// mesh without openings gives topmost().
 [[nodiscard]] std::vector<std::uint32_t> highest_opening(const Mesh& mesh);
 
-/// Vertices of the topmost fiftieth.
+/// Vertices within the topmost fiftieth of the mesh's height.
 [[nodiscard]] std::vector<std::uint32_t> topmost(const Mesh& mesh);
 
-/// Vertices of edges of one triangle, one for each position; the topmost where there are none.
+/// Vertices of border edges (edges of one triangle), one for each position; topmost() where there are none.
 [[nodiscard]] std::vector<std::uint32_t> border_vertices(const Mesh& mesh);
 
-/// Closed rows of border edges: a skirt has two, a shirt four.
+/// Number of loops of border edges: a skirt has two, a shirt four.
 [[nodiscard]] std::size_t count_openings(const Mesh& mesh);
 
-/// Out of the front of a garment that is round something, by vertex; up, where a vertex has no triangles.
+/// Unit normals of all vertices, on the whole away from the mesh's middle; +Y for vertices without triangles.
 [[nodiscard]] std::vector<Vector3> outward_normals(const Mesh& mesh);
 
 }  // namespace weft::demo

@@ -29,7 +29,7 @@ constexpr std::array<unsigned char, 256> base64_digits = [] {
     return values;
 }();
 
-/// RFC 4648; none for text that is not base64.
+/// Decodes base64 (RFC 4648); none for text that is not base64.
 std::optional<GltfBytes> decode_base64(std::string_view text) {
     while (text.ends_with('=')) text.remove_suffix(1);
     if (text.size() % 4 == 1) return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<GltfBytes> decode_base64(std::string_view text) {
     return bytes;
 }
 
-/// "%20" and its like; other percent signs stand for themselves.
+/// Decodes escapes such as "%20"; other percent signs stand for themselves.
 std::string decode_percent(std::string_view uri) {
     std::string decoded;
     for (std::size_t i = 0; i < uri.size(); ++i) {

@@ -14,16 +14,16 @@ namespace weft::demo {
 
 using GltfBytes = std::vector<unsigned char>;
 
-/// All of a regular file. Error: it cannot be read, or is larger than 2 GiB.
+/// Reads all of a regular file. Error: the file cannot be read, or is larger than 2 GiB.
 [[nodiscard]] Result<GltfBytes> read_bytes(const std::filesystem::path& file);
 
-/// What a file holds; views of its bytes.
+/// The two parts of a glTF file, as views of its bytes.
 struct GltfContainer {
     std::string_view json;
-    std::optional<std::string_view> binary;  ///< of .glb files, and not of all
+    std::optional<std::string_view> binary;  ///< in some .glb files only
 };
 
-/// Error: chunks of .glb that are not as the file's length and the format ask for.
+/// Finds the parts of a file. Error: a .glb whose chunks contradict the format or the file's length.
 [[nodiscard]] Result<GltfContainer> open_container(const GltfBytes& bytes);
 
 /// The `buffers` of a file in `folder`, 2 GiB together at most, each of the length that the file says.

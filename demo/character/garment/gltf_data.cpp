@@ -55,7 +55,7 @@ Eigen::Quaternionf four(const std::vector<double>& values, std::size_t first) {
     return q.norm() > 1e-6 ? q.normalized().cast<float>() : Eigen::Quaternionf::Identity();
 }
 
-/// Calls `take(number)` for all of them, in order. load_gltf has checked that they lie in their buffer.
+/// Calls `take(number, element)` for all numbers of an accessor, in order. load_gltf has checked their range.
 template <class Take>
 Result<void> for_each_number(const GltfModel& model, std::size_t index, std::size_t components,
                              bool normalised, const Take& take) {
@@ -204,7 +204,7 @@ Result<GltfAnimation::Track> GltfAnimation::read_track(const GltfModel& model, c
         return gltf_error("the animation of node " + std::to_string(from.node) + " has " +
                           std::to_string(keys) + " times, in order or not, for " +
                           std::to_string(values->size() / size) + " values");
-    if (spline) {  // before, at and after each time
+    if (spline) {  // three values a key: in-tangent, value, out-tangent
         for (std::size_t k = 0; k < keys * size; ++k)
             (*values)[k] = (*values)[(3 * (k / size) + 1) * size + k % size];
         values->resize(keys * size);

@@ -16,23 +16,23 @@ namespace weft::demo {
     return {ErrorCode::malformed_file, what};
 }
 
-/// One JSON object. A value that does not fit becomes the error, if it is the first; what stands for it then
-/// is absent, zero or empty, and whoever reads looks at the error once, at the end.
+/// One JSON object. The first value that does not fit becomes the error. Such values read as absent, zero or
+/// empty, and the caller checks the error once, at the end.
 class GltfFields {
   public:
-    /// `path` is empty for the whole file. Everything that is passed must outlive the fields.
+    /// `path` is empty for the whole file. `object` and `error` must outlive the fields.
     GltfFields(const nlohmann::json& object, std::string path, std::optional<Error>& error);
 
     [[nodiscard]] bool has(const char* key) const;
-    /// A whole number from 0 to `most`, or `absent`.
+    /// A whole number from 0 to `most`; `absent` where the key is missing.
     [[nodiscard]] std::size_t whole(const char* key, std::size_t absent, std::size_t most = most_whole) const;
     /// An index into something of `size` elements, or none.
     [[nodiscard]] std::optional<std::size_t> index(const char* key, std::size_t size) const;
-    /// An index that must be there.
+    /// An index whose absence is an error.
     [[nodiscard]] std::size_t needed_index(const char* key, std::size_t size) const;
-    /// Indices, all different.
+    /// Indices below `size`, all different.
     [[nodiscard]] std::vector<std::size_t> indices(const char* key, std::size_t size) const;
-    /// Every value of an object as an index, by its key.
+    /// Every key of an object with its value, an index below `size`.
     [[nodiscard]] std::vector<std::pair<std::string, std::size_t>> named_indices(const char* key,
                                                                                  std::size_t size) const;
     /// Exactly `count` numbers that a float can hold, or none.
@@ -44,14 +44,14 @@ class GltfFields {
     [[nodiscard]] GltfFields object(const char* key) const;
     /// The objects of an array; none where it is absent.
     [[nodiscard]] std::vector<GltfFields> objects(const char* key) const;
-    [[nodiscard]] std::size_t size(const char* key) const;  ///< of that array
+    [[nodiscard]] std::size_t size(const char* key) const;  ///< elements of an array
 
-    /// Complains of a value: "accessors[3].count is 9; it must be ...".
+    /// Reports a value as an error: "accessors[3].count is 9; it must be ...".
     void must(const char* key, const std::string& be) const;
-    /// Complains of the object: "accessors[3] ...".
+    /// Reports the object as an error: "accessors[3] ...".
     void complain(const std::string& what) const;
 
-    /// What a double holds exactly.
+    /// Up to this number a double holds whole numbers exactly.
     static constexpr std::size_t most_whole = std::size_t{1} << 53;
 
   private:

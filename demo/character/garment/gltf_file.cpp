@@ -12,7 +12,7 @@ namespace weft::demo {
 namespace {
 
 constexpr double frame_rate = 60, longest_animation = 600;  // [Hz], [s]
-/// Frames times nodes, and frames times tracks: half a gigabyte of poses, and a second or two to make them.
+/// Limit on frames times nodes and on frames times tracks: half a gigabyte of poses, made in a second or two.
 constexpr std::size_t most_poses = std::size_t{1} << 25;
 
 class GltfReader {
@@ -51,7 +51,7 @@ class GltfReader {
         return Quaternion(axes).normalized();
     }
 
-    /// Parents first; turned so that nothing is turned at rest.
+    /// Makes joints of the skin's nodes, parents first. All rotations are the identity at rest.
     void make_skeleton() {
         const std::set<std::size_t> joints(skin().joints.begin(), skin().joints.end());
         std::map<std::size_t, std::size_t> nearest_joint;  // of each node: itself, or an ancestor
@@ -190,7 +190,7 @@ class GltfReader {
         return {};
     }
 
-    /// White, where a primitive has none and others have.
+    /// Appends a primitive's vertex colours; white where it has none and others have.
     Result<void> read_colours(const GltfPrimitive& primitive, std::size_t vertices, SkinnedMesh& to) {
         const auto found = primitive.attribute("COLOR_0");
         if (!found) {
@@ -210,8 +210,8 @@ class GltfReader {
         return {};
     }
 
-    /// From the axes in which vertices are bound to the World's, by the skin's joint, while nodes are at
-    /// rest.
+    /// Transforms from the axes in which vertices are bound to the World's, for each joint of the skin, in
+    /// the rest pose.
     Result<std::vector<Affine>> rest_transforms() const {
         std::vector<Affine> transforms;
         for (const std::size_t node : skin().joints) transforms.push_back(at_rest_[node]);
@@ -226,7 +226,7 @@ class GltfReader {
         return transforms;
     }
 
-    /// Where the skin has vertices while the nodes are at rest.
+    /// Skinned positions of vertices in the rest pose.
     Result<std::vector<Vec3>> rest_positions(const std::vector<double>& bound,
                                              const std::vector<std::uint32_t>& joints,
                                              const std::vector<double>& weights,
@@ -257,7 +257,7 @@ class GltfReader {
     GltfModel model_;
     bool with_body_;
     SkinnedMesh garment_;
-    std::vector<std::size_t> nodes_;  // of the skeleton's joints
+    std::vector<std::size_t> nodes_;  // node of each joint of the skeleton
     std::map<std::size_t, std::size_t> joint_of_node_;
     std::vector<NodePlace> places_;
     std::vector<Affine> at_rest_;

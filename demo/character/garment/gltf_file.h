@@ -10,32 +10,31 @@
 
 namespace weft::demo {
 
-/// Joints and weights: four of both a vertex.
+/// A mesh with four joints and four weights a vertex.
 struct SkinnedMesh {
-    Mesh mesh;  ///< as it is at rest
+    Mesh mesh;  ///< in the rest pose
     std::vector<std::uint32_t> joints;
     std::vector<float> weights;
-    std::vector<Vec3> colours;  ///< by vertex, or none
+    std::vector<Vec3> colours;  ///< one a vertex, or none
 };
 
 struct SkinnedCharacter {
-    /// Of the file's first animation, 60 frames a second; of one frame, the pose in which nodes are, where
-    /// there is none. Joints at rest stand as the file's nodes do.
+    /// The file's first animation at 60 frames a second; without an animation, one frame of the nodes' own
+    /// pose. The rest pose of joints is that of the file's nodes.
     Recording recording;
     JointAngles rest;
-    /// All of the skin's triangles whose material ends in "Free", and those of the materials that share
-    /// vertices with them; as they are at rest.
+    /// The skin's triangles whose material's name ends in "Free" or begins with "Garment", in the rest pose.
     Garment garment;
     std::vector<std::uint32_t> joints;  ///< four a vertex of the garment
-    std::vector<float> weights;         ///< likewise
-    SkinnedMesh body;                   ///< all other triangles of the skin, where they are asked for
+    std::vector<float> weights;         ///< four a vertex of the garment
+    SkinnedMesh body;                   ///< all other triangles of the skin; empty unless asked for
 };
 
-/// Reads .gltf and .glb: the first skin, and of the meshes that have it the primitives of materials whose
-/// name ends in "Free" or begins with "Garment"; vertices of the first are simulated, the others fixed by
-/// their weights. Scales of nodes count, sheared axes do not. Errors name the file and what it lacks: a skin,
-/// joints, a primitive of a Free material, positions, joints or weights, four of both a vertex; triangles of
-/// a body, where it is asked for. Beside it there may be maps (painted_maps.h).
+/// Reads .gltf and .glb: the first skin, and the primitives of its meshes whose material's name ends in
+/// "Free" or begins with "Garment". Vertices of the former are simulated, those of the latter fixed by their
+/// weights. Scales of nodes apply, shear is ignored. Maps may stand beside the file (painted_maps.h). Errors
+/// name the file and what it lacks: a skin, joints, a primitive of a Free material, positions, joints or
+/// weights, four of both a vertex; triangles of a body, where it is asked for.
 [[nodiscard]] Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_body = false);
 
 }  // namespace weft::demo

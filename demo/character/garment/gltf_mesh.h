@@ -1,5 +1,5 @@
 #pragma once
-// Triangles from a glTF 2.0 file, with nobody in them.
+// Triangles from a glTF 2.0 file, without its skins.
 
 #include <filesystem>
 
@@ -8,7 +8,7 @@
 
 namespace weft::demo {
 
-/// By the end of its name.
+/// Whether the file's name ends in .gltf or .glb.
 [[nodiscard]] bool is_gltf(const std::filesystem::path& file);
 
 /// Whether a glTF file has a skin with joints: somebody who wears something. False where it cannot be read.

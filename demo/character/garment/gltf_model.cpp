@@ -16,7 +16,7 @@ namespace {
 
 constexpr double most_float = std::numeric_limits<float>::max();
 
-/// The place of a name among those that may stand there.
+/// Index of the key's text among `names`; none, and an error, for any other text.
 template <std::size_t n>
 std::optional<std::size_t> choice(const GltfFields& from, const char* key,
                                   const std::array<std::string_view, n>& names) {
@@ -136,7 +136,7 @@ class ModelReader {
         return place;
     }
 
-    /// Parents, and an order in which they come first. Nodes of a cycle are in no such order.
+    /// Finds parents, and an order of nodes in which parents come first. Nodes of a cycle have no such order.
     void link_nodes() {
         std::vector<GltfNode>& nodes = model_.nodes;
         std::vector<std::vector<std::size_t>> children;
@@ -196,7 +196,7 @@ class ModelReader {
         return skin;
     }
 
-    /// Channels without a node and those of morph targets are read over.
+    /// Channels without a node and channels of morph targets are ignored.
     void read_animation(const GltfFields& from) {
         constexpr std::array<std::string_view, 4> paths{"translation", "rotation", "scale", "weights"};
         constexpr std::array<std::string_view, 3> between{"LINEAR", "STEP", "CUBICSPLINE"};

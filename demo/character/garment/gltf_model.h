@@ -33,7 +33,7 @@ struct GltfAccessor {
     [[nodiscard]] std::size_t component_bytes() const;
 };
 
-/// A node's own place: scaled, then rotated, then moved.
+/// A node's local transform: scale, then rotation, then translation.
 struct NodePlace {
     Vector3 translation = Vector3::Zero();
     Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();
@@ -78,15 +78,15 @@ struct GltfModel {
     std::vector<GltfView> views;
     std::vector<GltfAccessor> accessors;
     std::vector<GltfNode> nodes;
-    std::vector<std::size_t> parents_first;  ///< all nodes
+    std::vector<std::size_t> parents_first;  ///< all nodes, each after its parent
     std::vector<std::vector<GltfPrimitive>> meshes;
     std::vector<GltfMaterial> materials;
     std::vector<GltfSkin> skins;
-    std::vector<GltfTrack> animation;  ///< the first one's, each for another part of a node's place
+    std::vector<GltfTrack> animation;  ///< tracks of the first one, at most one for each node and path
 };
 
-/// Reads .gltf and .glb, told apart by how they begin, and the buffers that they name. Cameras, lights and
-/// pictures are read over. Errors name the file and the value: what cannot be read or is no glTF 2, a value
+/// Reads .gltf and .glb, told apart by their first bytes, and the buffers that they name. Cameras, lights and
+/// pictures are ignored. Errors name the file and the value: what cannot be read or is no glTF 2, a value
 /// of the wrong kind or out of its range, an index that leads nowhere, a range beyond its buffer, a node that
 /// has two parents or is its own ancestor.
 [[nodiscard]] Result<GltfModel> load_gltf(const std::filesystem::path& file);

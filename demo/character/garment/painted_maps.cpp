@@ -19,7 +19,7 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
 
-/// The range is maps.h's.
+/// A map with its name in files, its default, and its range as in maps.h.
 struct NamedMap {
     std::string_view name;
     Map map;
@@ -56,7 +56,7 @@ class MapsReader {
             if (auto line = take_line(); !line) return line;
         }
     }
-    /// By `v` line.
+    /// Values of the maps that lines name, by `v` line.
     [[nodiscard]] const std::map<Map, std::vector<float>>& maps() const { return maps_; }
 
   private:
@@ -95,8 +95,8 @@ class MapsReader {
                     "their numbers");
             for (std::size_t v = 0; v < vertices_; ++v) {
                 values[v] = value * colours_[v].*channel;
-                // A colour of 0 is out of some ranges; the World says so, as it knows what the garment is
-                // for.
+                // A colour of 0 is out of some maps' range. The World refuses it, as it knows what the
+                // garment is for.
                 if (std::isnan(values[v])) return check(values[v], map);
             }
             return {};
@@ -125,7 +125,7 @@ class MapsReader {
     std::map<Map, std::vector<float>> maps_;
 };
 
-/// For each vertex of the mesh, which of the file's it is.
+/// The file's vertex that each vertex of the mesh was made of.
 std::vector<std::size_t> lines_of(const Mesh& mesh, std::size_t vertices) {
     const auto key = [&](std::size_t v) {
         return std::tuple(mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z);

@@ -1,7 +1,7 @@
 #pragma once
 // Maps by vertex that are painted in a garment's file, or written beside it.
 //
-// NAME.maps beside NAME.obj (or NAME.glb) says what differs from vertex to vertex, a line for each part:
+// NAME.maps beside NAME.obj (or NAME.glb) gives maps their values, a line for each set of vertices:
 //
 //     # map      of which vertices    value
 //     leash      all                  0.15      all of them
@@ -9,9 +9,9 @@
 //     friction   100-240              2         the file's 100th to 240th
 //     stiffness  red                  3         the red of each vertex's colour, from 0 to 1, times 3
 //
-// A later line goes before an earlier one; what no line names has the map's own default. Vertices are `v`
-// lines counted from 1, of a glTF file those of its garment, in the order of primitives. Colours are an OBJ
-// file's `v x y z red green blue`, a glTF file's COLOR_0. They mean nothing without such a line.
+// A later line overrides an earlier one; vertices that no line names have the map's own default. Vertices are
+// counted from 1: an OBJ file's `v` lines, or a glTF garment's vertices in the order of primitives. Colours
+// are an OBJ file's `v x y z red green blue`, a glTF file's COLOR_0. Only such lines use them.
 
 #include <filesystem>
 #include <span>
@@ -21,13 +21,13 @@
 
 namespace weft::demo {
 
-/// Of the `v` lines of an OBJ file that load_obj has read; none, where not all have one.
+/// Colours of an OBJ file's `v` lines; none, where not all have one. Precondition: load_obj has read it.
 [[nodiscard]] std::vector<Vec3> read_vertex_colours(const std::filesystem::path& obj);
 
-/// Gives the garment of this file its maps; nothing, where there is no file of maps. What `pin` pins becomes
-/// Garment::fixed. Of `vertices` the rest of the mesh's are split off at the same position (load_obj).
+/// Reads the maps beside a garment's file, if there are any. Vertices that `pin` pins join Garment::fixed.
+/// The file has `vertices` vertices; load_obj splits the mesh's further ones off them at the same positions.
 /// Errors name the line: a map or channel of no such name, vertices that the file lacks, a value that is no
-/// number or out of the map's range (maps.h), colours that it has not.
+/// number or out of the map's range (maps.h), colours that the garment lacks.
 [[nodiscard]] Result<void> read_maps(const std::filesystem::path& garment_file, std::size_t vertices,
                                      std::span<const Vec3> colours, Garment& garment);
 

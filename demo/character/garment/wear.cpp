@@ -9,7 +9,7 @@ namespace weft::demo {
 namespace {
 
 constexpr int excused = 5;  // steps after a squeeze
-constexpr int parts = 4;    // of a triangle's sides, between points that are measured
+constexpr int parts = 4;    // of a triangle's sides, between sample points
 constexpr int long_ago = -1000;
 
 float rest_length_of(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
@@ -17,13 +17,13 @@ float rest_length_of(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     return std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);
 }
 
-/// Of a point: how deep it is, and whether two parts of the body press it from opposite sides.
+/// Penetration depth of a point [m], and whether two parts of the body press it from opposite sides.
 struct Depth {
     float depth = 0;
     bool squeezed = false;
 };
 
-/// Capsules that come near a triangle, and how the triangle's points lie to them.
+/// Samples how deep a triangle is inside the capsules that are near.
 class TriangleDepth {
   public:
     TriangleDepth(const std::vector<TaperedCapsule>& body, const std::array<Vector3, 3>& corners, float kept)

@@ -1,5 +1,5 @@
 #pragma once
-// What tells whether a garment is worn well: nothing of it is inside the body, and it is not stretched.
+// Measures whether a garment is worn well: none of it is inside the body, and it is not stretched.
 
 #include <vector>
 
@@ -16,13 +16,13 @@ class WearMeter {
     WearMeter(const Mesh& mesh, float kept);
 
     struct Wear {
-        float deepest = 0;           ///< of any point of a triangle inside the body [m]; 0: none is
+        float deepest = 0;           ///< greatest penetration depth [m]; 0: none is inside
         std::uint32_t inside = 0;    ///< triangles deeper than `kept` that no squeeze excuses
-        float deepest_of_these = 0;  ///< [m]
+        float deepest_of_these = 0;  ///< greatest penetration depth of `inside` [m]
         std::uint32_t squeezed = 0;  ///< triangles between two parts of the body that leave them no room
         float stretch_99 = 1, stretch = 1;  ///< length over rest length of edges: 99th percentile, worst
     };
-    /// After each step, once. A squeeze excuses a triangle while it lasts and for five steps more.
+    /// Call this once after each step. A squeeze excuses a triangle while it lasts and for five steps more.
     [[nodiscard]] Wear measure(const ClothView& cloth, const std::vector<TaperedCapsule>& body);
 
   private:
@@ -33,7 +33,7 @@ class WearMeter {
     Mesh mesh_;
     float kept_;
     std::vector<Edge> edges_;
-    std::vector<int> squeezed_at_;  // by triangle, the last step
+    std::vector<int> squeezed_at_;  // last squeezed step, by triangle
     std::vector<float> ratios_;
     int step_ = 0;
 };

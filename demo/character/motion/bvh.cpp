@@ -13,12 +13,12 @@ namespace weft::demo {
 namespace {
 
 constexpr std::size_t most_joints = 1024, most_frames = 1'000'000;
-/// Frames times joints: half a gigabyte, which a file of few channels would ask for in a few lines.
+/// Limit on frames times joints: half a gigabyte, which a short file of few channels could exceed.
 constexpr std::size_t most_rotations = std::size_t{1} << 25;
 constexpr float tallest = 10;  // [m]
 
-/// What a number of a frame means to its joint: 0 to 2 a position along x, y, z, 3 to 5 a rotation about
-/// them.
+/// The meaning of a number of a frame. Kind 0 to 2: the joint's position along x, y, z; 3 to 5: its rotation
+/// about them.
 struct Channel {
     std::size_t joint;
     int kind;
@@ -101,7 +101,7 @@ class BvhParser {
     }
 
   private:
-    /// From behind the word that opens it to its closing brace.
+    /// Reads a joint and its children, from the joint's name to its closing brace.
     Result<void> read_joint(int parent, bool is_end) {
         std::vector<Joint>& joints = recording_.skeleton.joints;
         if (joints.size() == most_joints)

@@ -7,8 +7,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float sole_height =
-    0.035f;  // of the ankle's and the toes' joints, while the foot is on the ground [m]
+constexpr float sole_height = 0.035f;  // height of the lowest joint while a foot is on the ground [m]
 
 // Joints of plain_skeleton(), by number.
 enum PlainJoint : std::size_t {

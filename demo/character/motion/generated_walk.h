@@ -5,22 +5,22 @@
 
 namespace weft::demo {
 
-/// Somebody of 1.65 m, standing with arms stretched out to the sides.
+/// Skeleton of a person of 1.65 m. At rest the arms are stretched out to the sides.
 [[nodiscard]] Skeleton plain_skeleton();
 
-/// How far joints go, in degrees: means, and the waves about them.
+/// Joint angles of a gait [degrees]: means, and amplitudes of the waves about them.
 struct Gait {
     double period = 1.1;  ///< two steps [s]
-    float lean = 4;       ///< of the trunk, ahead
+    float lean = 4;       ///< of the trunk, forwards
     double hip = 6, hip_wave = 21;
-    double knee = 7, knee_wave = 52;  ///< the leg that swings bends so far
+    double knee = 7, knee_wave = 52;  ///< flexion of the swinging leg
     double ankle_wave = 12;
     double arm = 4, arm_wave = 19;
     double elbow = 22, elbow_wave = 9;
     float arm_down = 76;
-    double flight = 0;  ///< off the ground, twice a period [m]
+    double flight = 0;  ///< greatest height off the ground, twice a period [m]
 };
-/// As in running at 3 m/s (Novacheck 1998, "The biomechanics of running").
+/// A run at 3 m/s (Novacheck 1998, "The biomechanics of running").
 inline constexpr Gait running{.period = 0.72,
                               .lean = 10,
                               .hip = 16,
@@ -35,9 +35,9 @@ inline constexpr Gait running{.period = 0.72,
                               .arm_down = 72,
                               .flight = 0.05};
 
-/// On the spot, ahead along +Z, with the joints of plain_skeleton(). Each angle is a constant and a wave or
+/// A gait on the spot, facing +Z, with the joints of plain_skeleton(). Each angle is a constant and a wave or
 /// two, after the curves of level walking in D. Winter, "Biomechanics and motor control of human movement",
-/// 1991; the height is what puts the lower foot on the ground.
+/// 1991. The root's height puts the lower foot on the ground.
 class GeneratedWalk final : public Motion {
   public:
     explicit GeneratedWalk(const Gait& gait = {});

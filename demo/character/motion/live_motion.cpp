@@ -13,8 +13,8 @@
 namespace weft::demo {
 namespace {
 
-constexpr double following = 0.05;  // [s]
-constexpr float farthest = 1000;    // a joint from the origin [m]
+constexpr double following = 0.05;  // time constant [s]
+constexpr float farthest = 1000;    // greatest coordinate of a joint [m]
 constexpr std::size_t longest_line = 4096;
 
 /// The axes of a trunk whose left side is along `left`, and which stands along `up`.
@@ -33,7 +33,7 @@ LiveMotion::LiveMotion()
       joints_(find_body_joints(skeleton_).value()),
       newest_(JointAngles::at_rest(skeleton_)),
       shown_(newest_) {
-    for (const bool left : {true, false}) {  // until a frame comes: arms down
+    for (const bool left : {true, false}) {  // arms hang until a frame arrives
         const float lowered = (left ? -1.2f : 1.2f);
         newest_.rotations[joints_[left ? Part::left_arm : Part::right_arm]] =
             Quaternion(Eigen::AngleAxisf(lowered, Vector3::UnitZ()));
@@ -87,7 +87,7 @@ void LiveMotion::take_line(std::string_view line) {
     last_refused_ = line.substr(0, 80);
 }
 
-/// By the line between two joints and the one from the hips to the neck, where all are seen.
+/// Turns a joint by the line between two joints and the line from hips to neck, where all four are seen.
 void LiveMotion::turn_trunk(std::size_t joint, std::size_t left, std::size_t right, const Pose& rest) {
     const std::size_t hips = joints_[Part::hips], neck = joints_[Part::neck];
     for (const std::size_t needed : {hips, neck, left, right}) {

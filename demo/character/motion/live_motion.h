@@ -1,13 +1,13 @@
 #pragma once
-// Motion as it happens: joints as lines of text from a pipe, as a tracker behind a camera writes them.
+// Live motion: joints as lines of text from a pipe, as a tracker behind a camera writes them.
 //
 //     Hips 0.01 0.93 0.20          a joint of plain_skeleton() by name, and where it is: x y z [m], +Y up
 //     LeftArm 0.18 1.31 0.19       LeftArm is the shoulder's joint, LeftUpLeg the hip's
 //     ...                          as many as are seen, in any order
 //     frame                        ends a frame: from here on its joints count
 //
-// What is not seen keeps the turn that it had. A line that is none of these, or has a number that is none, is
-// left out. Bones keep their lengths, so that the tracked person may be of any size.
+// Joints that are not seen keep their rotations. A line of another form, or with a malformed number, is
+// ignored. Bones keep their lengths, so that the tracked person may be of any size.
 
 #include <array>
 #include <filesystem>
@@ -24,20 +24,20 @@ class LiveMotion final : public Motion {
   public:
     /// Opens a pipe (a FIFO); reading never waits. Error: it cannot be opened.
     [[nodiscard]] static Result<std::unique_ptr<LiveMotion>> open(const std::filesystem::path& pipe);
-    /// Of nothing but what take() is given.
+    /// A motion without a pipe, for text from take() only.
     LiveMotion();
     ~LiveMotion() override;
     LiveMotion(const LiveMotion&) = delete;
     LiveMotion& operator=(const LiveMotion&) = delete;
 
     [[nodiscard]] const Skeleton& skeleton() const override { return skeleton_; }
-    /// Reads what has arrived, and goes towards its last whole frame, all but a third of the way in 50 ms.
+    /// Reads the text that has arrived and approaches the last whole frame, with a time constant of 50 ms.
     void evaluate(double time, JointAngles& angles) override;
 
-    /// Text as it comes, cut anywhere.
+    /// Parses text as it arrives; lines may be cut anywhere.
     void take(std::string_view text);
-    [[nodiscard]] std::size_t frames() const { return frames_; }    ///< that were whole
-    [[nodiscard]] std::size_t refused() const { return refused_; }  ///< lines
+    [[nodiscard]] std::size_t frames() const { return frames_; }    ///< whole ones so far
+    [[nodiscard]] std::size_t refused() const { return refused_; }  ///< ignored lines
     [[nodiscard]] const std::string& last_refused() const { return last_refused_; }
 
   private:

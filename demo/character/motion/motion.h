@@ -1,5 +1,5 @@
 #pragma once
-// Where motion comes from: a recording, a formula, or a tracker that talks through a pipe.
+// Sources of motion: a recording, a formula, or a tracker that writes to a pipe.
 
 #include <memory>
 
@@ -11,21 +11,21 @@ class Motion {
   public:
     virtual ~Motion() = default;
     [[nodiscard]] virtual const Skeleton& skeleton() const = 0;
-    /// Writes the joints' angles `time` seconds after the start, any number >= 0. Once a step.
+    /// Writes the joints' angles `time` seconds after the start, any number >= 0. Call this once a step.
     virtual void evaluate(double time, JointAngles& angles) = 0;
 };
 
-/// A motion that is gone into from standing still.
+/// A motion with a transition from standing still.
 class Performance {
   public:
-    /// Stands in `stance` for `wait` seconds, then goes over into the motion within `blend_in` more; the
-    /// motion runs at `speed` times its own, from `ahead` seconds of its own on.
+    /// The stance lasts for `wait` seconds and blends into the motion within `blend_in` more. The motion runs
+    /// at `speed` times its own speed, from its own time `ahead` [s] on.
     Performance(std::unique_ptr<Motion> motion, JointAngles stance, double wait, double blend_in,
                 double speed, double ahead = 0);
 
     [[nodiscard]] const Skeleton& skeleton() const { return motion_->skeleton(); }
     [[nodiscard]] const JointAngles& stance() const { return stance_; }
-    /// `time` [s] since the start, stance included. The reference is valid until the next call.
+    /// Angles `time` seconds after the start, stance included. The reference is valid until the next call.
     [[nodiscard]] const JointAngles& at(double time);
 
   private:

@@ -8,7 +8,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr double longest_crossing = 0.25;  // of the end into the beginning [s]
+constexpr double longest_crossing = 0.25;  // blend of the end into the beginning [s]
 
 }  // namespace
 
@@ -17,7 +17,7 @@ RecordedMotion::RecordedMotion(Recording recording) : recording_(std::move(recor
     stand_on_the_spot();
 }
 
-/// The distance of the frames that cross over into the beginning from it, if the motion repeats after `shift`
+/// Distance between the first frames and those that blend into them, if the motion repeats after `shift`
 /// frames. The sum ends at `most`: a long recording with a short frame time has 10^9 pairs of poses.
 double RecordedMotion::unlikeness(std::size_t shift, double most) const {
     double sum = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Joints and how they are turned: what motions say and bodies follow. +Y is up, +Z ahead, +X to the left [m].
+// Skeletons, joint angles and poses. +Y is up, +Z ahead, +X to the left [m].
 
 #include <cstddef>
 #include <optional>
@@ -22,21 +22,21 @@ struct Joint {
 struct Skeleton {
     std::vector<Joint> joints;
 
-    /// Upper and lower case, and what is neither letter nor digit, do not count; nor does what stands before
-    /// a colon.
+    /// Finds a joint by its name. Case, characters other than letters and digits, and a prefix up to a colon
+    /// are ignored.
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] std::size_t size() const { return joints.size(); }
 };
 
-/// What a motion says of one moment.
+/// A motion at one moment.
 struct JointAngles {
-    Vector3 root = Vector3::Zero();     ///< where the first joint is [m]
+    Vector3 root = Vector3::Zero();     ///< position of the first joint [m]
     std::vector<Quaternion> rotations;  ///< of each joint, relative to its parent
 
     [[nodiscard]] static JointAngles at_rest(const Skeleton& skeleton);
 };
 
-/// Where the joints are.
+/// Positions and rotations of all joints in space.
 struct Pose {
     std::vector<Vector3> positions;     ///< [m]
     std::vector<Quaternion> rotations;  ///< from the axes at rest
@@ -46,18 +46,18 @@ struct Pose {
     }
 };
 
-/// Writes where `angles` put the joints. Takes no memory where `pose` has as many.
+/// Writes the pose of these angles (forward kinematics). Allocates nothing where `pose` has as many joints.
 void place_joints(const Skeleton& skeleton, const JointAngles& angles, Pose& pose);
 
-/// Turns `joint`, its parents being turned as they are, by the least by which the bone from it to `child`
-/// points along `way`.
+/// Gives `joint` the least rotation from rest by which the bone from it to `child` points along `way`. Its
+/// parents keep their rotations.
 void point_bone(const Skeleton& skeleton, std::size_t joint, std::size_t child, const Vector3& way,
                 JointAngles& angles);
 
 /// `to` = a moved towards b by `part` of the way, each joint the shorter way round.
 void blend(const JointAngles& a, const JointAngles& b, float part, JointAngles& to);
 
-/// Goes from 0 to 1 as x does, without a jump in speed at either end; 0 before, 1 after.
+/// Smooth step 3 x^2 - 2 x^3: 0 for x below 0, 1 above 1, with no slope at either end.
 [[nodiscard]] float smooth_step(double x);
 
 }  // namespace weft::demo

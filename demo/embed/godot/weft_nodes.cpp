@@ -17,7 +17,7 @@ weft::Vec3 to_weft(const godot::Vector3& v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// Says what Weft says; whether there was nothing to say.
+/// Reports an error of Weft to Godot. True if there was none.
 template <class T>
 bool went_well(const weft::Result<T>& result) {
     if (!result) godot::UtilityFunctions::push_error("Weft: ", result.error().message.c_str());
@@ -25,7 +25,7 @@ bool went_well(const weft::Result<T>& result) {
 }
 
 std::span<std::byte> bytes_of(
-    godot::PackedVector3Array& array) {  // Vector3 is three floats, but in builds for large worlds
+    godot::PackedVector3Array& array) {  // Vector3 is three floats, except in builds for large worlds
     static_assert(sizeof(godot::Vector3) == 3 * sizeof(float), "large worlds: write floats, and copy");
     return std::as_writable_bytes(std::span(array.ptrw(), static_cast<std::size_t>(array.size())));
 }
@@ -37,7 +37,7 @@ void WeftWorld::_enter_tree() {
     if (!went_well(world)) return;
     world_.emplace(std::move(world).value());
     apply_wind();
-    set_physics_process_priority(1000);  // after those that say where they will be
+    set_physics_process_priority(1000);  // after the cloths, which set their pins' targets
 }
 
 void WeftWorld::_exit_tree() {
@@ -113,7 +113,7 @@ void WeftCloth::_exit_tree() {
     cloth_ = {};
 }
 
-// Before the World's step: the upper edge goes with the node.
+// Moves the upper edge with the node, before the World's step.
 void WeftCloth::_physics_process(double) {
     if (world() == nullptr || cloth_ == weft::ClothId{}) return;
     const godot::Transform3D place = get_global_transform();
@@ -133,7 +133,7 @@ void WeftCloth::_process(double) {
         static_cast<float>(godot::Engine::get_singleton()->get_physics_interpolation_fraction());
     godot::PackedVector3Array drawn = positions_, lit = normals_;
     const godot::Transform3D to_node =
-        get_global_transform().affine_inverse();  // the node is drawn with its own place
+        get_global_transform().affine_inverse();  // Godot draws the node with its own transform
     for (std::int64_t i = 0; i < drawn.size(); ++i) {
         drawn[i] = to_node.xform(previous_[i].lerp(positions_[i], alpha));
         lit[i] = to_node.basis.xform(normals_[i]);

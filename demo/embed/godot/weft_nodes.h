@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-/// Steps all WeftCloths below it, after their own physics process. Its place and theirs do not matter: Weft
-/// works in global coordinates, which are Godot's: right-handed, +Y up, metres.
+/// Steps all WeftCloths below it, after their own physics process. Weft works in Godot's global coordinates:
+/// right-handed, +Y up, metres.
 class WeftWorld : public godot::Node3D {
     GDCLASS(WeftWorld, godot::Node3D)
 
@@ -35,7 +35,7 @@ class WeftWorld : public godot::Node3D {
     std::optional<weft::World> world_;
 };
 
-/// A sheet of one metre by one that hangs from where the node is when it enters the tree.
+/// A sheet of 1 m by 1 m whose upper edge is attached to the node.
 class WeftCloth : public godot::MeshInstance3D {
     GDCLASS(WeftCloth, godot::MeshInstance3D)
 
@@ -54,7 +54,7 @@ class WeftCloth : public godot::MeshInstance3D {
 
     weft::ClothId cloth_{};
     std::vector<std::uint32_t> held_;
-    std::vector<weft::Vec3> at_rest_;  // of those held, in the node's own space
+    std::vector<weft::Vec3> at_rest_;  // of the held vertices, in the node's own space
     std::vector<weft::Vec3> targets_;
     godot::PackedVector3Array positions_, previous_, normals_;
     godot::PackedInt32Array triangles_;

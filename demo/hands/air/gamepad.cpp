@@ -8,7 +8,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr float still = 0.25f;  // what a stick has that nobody holds
+constexpr float still = 0.25f;  // dead zone of a stick
 
 }  // namespace
 

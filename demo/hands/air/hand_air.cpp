@@ -12,17 +12,17 @@ namespace weft::demo {
 namespace {
 
 constexpr float fan_radius = 0.22f;                         // [m]
-constexpr float blast_radius = 0.45f, blast_lasts = 0.12f;  // [m], to a third [s]
+constexpr float blast_radius = 0.45f, blast_lasts = 0.12f;  // [m]; time of decay to 1/e [s]
 constexpr float weakest_blast = 0.3f;                       // [m/s]
-constexpr float slowest_wake = 0.7f;                        // of what leaves one [m/s]
-constexpr float fastest_wake = 100;                         // more is a jump
+constexpr float slowest_wake = 0.7f;                        // slower things leave none [m/s]
+constexpr float fastest_wake = 100;                         // faster motion is a jump [m/s]
 
 struct Round {
     Vec3 middle;
     float radius;
 };
 
-/// What of a collider is round enough to leave a wake.
+/// The ball that stands for a collider in its wake; none for other shapes.
 std::optional<Round> round_of(const Collider& collider) {
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape))
         return Round{sphere->center, sphere->radius};
@@ -97,7 +97,7 @@ void HandAir::before_step(World& world, std::span<const ColliderId> moving, std:
 void HandAir::forget() {
     fan_ = blast_ = {};
     seen_.clear();
-    blew_ = true;  // what its World still blows is to end
+    blew_ = true;  // the next step clears the World's sources
 }
 
 }  // namespace weft::demo

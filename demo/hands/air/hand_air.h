@@ -12,17 +12,18 @@ namespace weft::demo {
 class HandAir {
   public:
     float fan_speed = 12;    ///< [m/s]
-    float blast_speed = 25;  ///< at its beginning, where it is strongest [m/s]
-    bool wakes = true;       ///< of balls and of colliders that hands move
+    float blast_speed = 25;  ///< at the beginning of a blast, its strongest moment [m/s]
+    bool wakes = true;       ///< balls, and colliders that hands move, leave wakes
 
-    /// A fan at the ray's start, blowing along it, until told otherwise.
+    /// Places a fan at the ray's start that blows along the ray until put_fan_away().
     void hold_fan(const render::Ray& ray);
     void put_fan_away() { fan_ = {}; }
     void blast_at(const Vec3& place);
-    /// Tells the World's wind what blows in the step of dt [s] that follows. `moving`: what may leave a wake.
+    /// Sets the air sources of the World's wind for the step of dt [s] that follows. `moving`: colliders that
+    /// may leave a wake.
     void before_step(World& world, std::span<const ColliderId> moving, std::span<const BodyId> balls,
                      float dt);
-    /// Its world is gone, or at another time.
+    /// Call this when the world is gone or was restored to another time.
     void forget();
 
     [[nodiscard]] const AirSource& fan() const { return fan_; }
@@ -37,7 +38,7 @@ class HandAir {
                    float dt, std::vector<AirSource>& air);
 
     AirSource fan_{}, blast_{};
-    std::vector<Seen> seen_;  // where colliders were before the last step
+    std::vector<Seen> seen_;  // middles of colliders before the last step
     bool blew_ = false;
 };
 

@@ -13,28 +13,28 @@ namespace weft::demo {
 
 class Streaks {
   public:
-    static constexpr std::size_t count = 120, length = 10;  ///< motes, and places of each that are kept
+    static constexpr std::size_t count = 120, length = 10;  ///< motes, and kept positions of each
 
     bool visible = true;
 
-    /// Within the box round `middle` of that half side [m]. Motes begin anew.
+    /// Places new motes in the box round `middle` of that half side [m].
     void begin(const Vec3& middle, float half_side);
-    /// Moves the motes with the air over dt [s]. Those that leave the box or have been long there begin anew.
+    /// Moves the motes with the air over dt [s]. Motes that leave the box or are too old are replaced.
     void step(const World& world, float dt);
 
     struct Mote {
         std::array<Vec3, length> trail;  ///< the last places, the newest first
-        std::size_t kept = 0;            ///< of them
+        std::size_t kept = 0;            ///< valid places of the trail
         float age = 0, lasts = 1;        ///< [s]
-        float speed = 0;                 ///< of the air there [m/s]
+        float speed = 0;                 ///< of the air at the mote [m/s]
     };
     [[nodiscard]] std::span<const Mote> motes() const { return motes_; }
-    /// As they are drawn, fainter where they are older; none while they are not visible.
+    /// The streaks, fainter where they are older; none while not visible.
     [[nodiscard]] std::vector<render::DrawnLine> lines() const;
 
   private:
     void renew(Mote& mote);
-    float random();  // in [0, 1); what it shows moves no cloth
+    float random();  // random number in [0, 1); it has no effect on the simulation
 
     Vec3 middle_{};
     float half_side_ = 1;

@@ -7,8 +7,8 @@ namespace weft::demo {
 namespace {
 
 constexpr float least_pitch = 0.6f;                 // [rad]
-constexpr float shortest = 0.05f, longest = 0.30f;  // in still air, and ever nearer to it in a storm
-constexpr float half_way = 10;                      // the speed at half of what is between [m/s]
+constexpr float shortest = 0.05f, longest = 0.30f;  // length in still air, and its limit in a storm
+constexpr float half_way = 10;                      // speed at the length midway between them [m/s]
 constexpr Vec2 foot_from_middle = {0, 0.24f};
 
 float length_at(float speed) {

@@ -7,28 +7,27 @@
 
 namespace weft::demo {
 
-/// It lies level below what the camera looks at, and turns with the scene. Seen from too low it is shown as
-/// from 35 degrees above, so that it can always be pointed. Places are in heights of the picture, from its
-/// upper left corner.
+/// A level arrow below the camera's target that turns with the scene. For a low camera it is drawn as from 35
+/// degrees above, so that it can always be dragged. Places are in picture heights from the upper left corner.
 class WindArrow {
   public:
-    static constexpr float reach = 0.045f;  ///< of the hand that takes hold of its tip or shaft
+    static constexpr float reach = 0.045f;  ///< greatest distance from tip or shaft at which it is grabbed
 
-    /// Where the camera has it now.
+    /// Updates the arrow's place for the camera.
     void place(const render::OrbitCamera& camera, float aspect);
 
     [[nodiscard]] Vec2 foot() const { return foot_; }
     [[nodiscard]] Vec2 tip(const WindControl& wind) const;
-    /// Where a level way from the foot leads: `right` and `away` as the camera looks.
+    /// The end of a level vector from the foot; `right` and `away` are relative to the camera.
     [[nodiscard]] Vec2 at(float right, float away) const;
     [[nodiscard]] bool is_under(Vec2 pointer, const WindControl& wind) const;
-    /// Turns the wind so that the tip comes to the pointer.
+    /// Sets the wind's heading and speed so that the tip comes to the pointer.
     void drag(Vec2 pointer, WindControl& wind) const;
 
   private:
     Vec2 foot_{};
-    float heading_ = 0;  // in which the camera looks, as WindControl's
-    float rise_ = 1;     // of what lies a height farther away, in the picture
+    float heading_ = 0;  // heading of the camera, as WindControl's
+    float rise_ = 1;     // rise in the picture per unit of length away from the camera
 };
 
 }  // namespace weft::demo

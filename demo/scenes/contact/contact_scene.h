@@ -1,5 +1,5 @@
 #pragma once
-// A scene in which cloth meets cloth: as plain data, which the demo shows and the study judges.
+// A scene in which cloth collides with cloth, as plain data that the demo shows and the study judges.
 
 #include <cstdint>
 #include <functional>
@@ -10,17 +10,17 @@
 
 namespace weft::demo {
 
-/// A cloth of a scene. Where the mesh has a pattern, that is its rest shape.
+/// A cloth of a scene. If the mesh has a pattern, the pattern is its rest shape.
 struct PlacedCloth {
     Mesh mesh;
     ClothSettings settings{};
     std::vector<std::uint32_t> pins{};  ///< vertices held from the start
-    /// Vertices, each the first of a layer that ends before the next: the lowest layer first. Empty: no order
-    /// is looked at.
+    /// The first vertex of each layer, the lowest layer first; a layer ends before the next begins. Empty:
+    /// the order of layers is not judged.
     std::vector<std::uint32_t> layers{};
 };
 
-/// What a scene may move before each step: its own cloths and colliders, by their places in its lists.
+/// Moves a scene's cloths and colliders before each step. They are named by their indices in its lists.
 class SceneHandles {
   public:
     virtual void move_pin(std::size_t cloth, std::uint32_t vertex, const Vec3& target) const = 0;
@@ -37,29 +37,29 @@ struct ContactScene {
     std::vector<PlacedCloth> cloths{};
     std::vector<Collider> colliders{};
     WorldSettings world{};
-    /// Puts pins and colliders where they are to be at `time` [s], the end of the step that follows.
+    /// Moves pins and colliders to their places at `time` [s], the end of the step that follows.
     std::function<void(const SceneHandles&, double time)> move{};
     bool tangled = false;  ///< triangles cross at the start
     bool rests = false;    ///< at its end nothing is moved, and cloth should be still
-    /// Mass times speed [kg m/s] of what is in motion, where no force acts from outside; 0: one does.
+    /// Sum of mass times speed [kg m/s] in a scene without external forces; 0: there are some.
     double free_momentum = 0;
-    /// The step from which momentum should stay as it is.
+    /// Time from which momentum should be conserved [s].
     double free_from = 0;
     [[nodiscard]] static constexpr double step() { return 1.0 / 60; }
 };
 
-/// A scene by its name, made for about so many particles (0: its own number).
+/// Makes a scene, by its name, of about `particles` particles (0: its own number).
 struct SceneMaker {
     std::string name;
-    bool quick;  ///< one of those that `--quick` runs
+    bool quick;  ///< whether `--quick` runs it
     std::function<ContactScene(std::uint32_t particles)> make;
     bool needs_garments = false;
 };
 
-/// Of a scene that `--quick` runs.
+/// Number of particles, about, of a scene that `--quick` runs.
 inline constexpr std::uint32_t quick_contact_particles = 1000;
 
-/// Those of one file each.
+/// The scenes of one file each.
 [[nodiscard]] std::vector<SceneMaker> fold_scenes();
 [[nodiscard]] std::vector<SceneMaker> stack_scenes();
 [[nodiscard]] std::vector<SceneMaker> drape_scenes();
@@ -67,10 +67,10 @@ inline constexpr std::uint32_t quick_contact_particles = 1000;
 [[nodiscard]] std::vector<SceneMaker> meeting_scenes();
 [[nodiscard]] std::vector<SceneMaker> tangle_scenes();
 
-/// Those that are only shown.
+/// The scenes that are only shown.
 [[nodiscard]] std::vector<SceneMaker> shown_scenes();
 
-/// All of the others.
+/// All scenes but those that are only shown.
 [[nodiscard]] std::vector<SceneMaker> contact_scenes();
 
 }  // namespace weft::demo

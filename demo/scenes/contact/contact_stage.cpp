@@ -1,4 +1,4 @@
-// Scenes of contact on the demo's stage.
+// Scenes of contact as scenes of the demo.
 
 #include <algorithm>
 #include <array>
@@ -25,9 +25,9 @@ render::FabricLook look_of(std::size_t cloth) {
     return {.front = front, .back = {paler(front.x), paler(front.y), paler(front.z)}};
 }
 
-/// How a scene is looked at, against all that there is at its start, and when it is judged.
+/// The camera, relative to a view of all cloth at the start, and the steps until the check.
 struct View {
-    float nearer = 1;  ///< by this factor: most of what is to be seen is smaller
+    float nearer = 1;  ///< factor by which the camera is nearer than for all of it
     float lower = 0;   ///< [m]
     int check_steps = 90;
 };

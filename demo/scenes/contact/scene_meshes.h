@@ -1,5 +1,5 @@
 #pragma once
-// Sheets put somewhere in space, of which scenes are made.
+// Sheets placed in space, from which scenes are made.
 
 #include <Eigen/Core>
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace weft::demo {
 
-/// Where a point of the pattern, u along the length and v along the width [m], is in space.
+/// Maps a point of the pattern, u along the length and v along the width [m], to space.
 using PlaceOf = std::function<Eigen::Vector3d(double u, double v)>;
 
 /// A sheet `length` by `width` [m], its rows along the length, with the flat pattern as its rest shape.
@@ -19,11 +19,11 @@ struct Piece {
     std::uint32_t columns, rows;  ///< particles along length and width
     [[nodiscard]] double edge() const { return length / (columns - 1); }
 };
-/// Of about so many particles in squares; columns - 1 is a multiple of `parts`, so that folds can be between
-/// cells.
+/// A piece of about `particles` particles in squares. columns - 1 is a multiple of `parts`, so that folds can
+/// be between cells.
 [[nodiscard]] Piece piece(double length, double width, std::uint32_t particles, std::uint32_t parts = 1);
 [[nodiscard]] Mesh placed_sheet(const Piece& piece, const PlaceOf& place);
-/// Vertex of a sheet of that piece.
+/// A vertex of the piece's sheet.
 [[nodiscard]] inline std::uint32_t vertex_at(const Piece& piece, std::uint32_t row, std::uint32_t column) {
     return row * piece.columns + column;
 }
@@ -32,7 +32,7 @@ struct Piece {
 /// Sheets of squares as one general mesh; their first vertices are the layers.
 [[nodiscard]] PlacedCloth joined(const std::vector<Mesh>& sheets);
 
-/// What self-collision keeps particles of that mesh apart by default [m].
+/// The default distance of self-collision for a mesh of edges of this length [m].
 [[nodiscard]] double usual_distance(double edge);
 
 /// `particles`, or where that is 0, a scene's own number.
@@ -48,9 +48,9 @@ enum class Made { one_mesh, cloths };
 /// A sheet that lies level, turned about its middle, which is over the origin.
 [[nodiscard]] Mesh level_sheet(const Piece& sheet, double height, double turn);
 
-/// In air that is still.
+/// World settings with still air.
 [[nodiscard]] WorldSettings still_air();
-/// Neither air nor weight; cloth in it should have no air_damping.
+/// World settings without air and gravity; cloth in this World should have no air_damping.
 [[nodiscard]] WorldSettings zero_gravity();
 [[nodiscard]] Collider ground();
 [[nodiscard]] Vec3 to_point(const Eigen::Vector3d& p);

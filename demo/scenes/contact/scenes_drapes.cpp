@@ -1,4 +1,4 @@
-// Cloth laid over something or drawn together: folds in which layers come near.
+// Cloth laid over a sphere or drawn together: folds in which layers come near.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// 2 m over a sphere that lies on the ground.
+/// A sheet of 2 m over a sphere that lies on the ground.
 ContactScene drape(const std::string& name, std::uint32_t particles) {
     constexpr float radius = 0.4f;
     return {.name = name,
@@ -28,7 +28,7 @@ SceneMaker drape_maker(const std::string& name, std::uint32_t usual, bool quick)
     return {name, quick, [=](std::uint32_t particles) { return drape(name, or_else(particles, usual)); }};
 }
 
-/// Held at every eighth vertex of its upper edge, and drawn together to a quarter in four seconds.
+/// A curtain held at every eighth vertex of its upper edge, and drawn together to a quarter in four seconds.
 ContactScene gathered(std::uint32_t particles) {
     constexpr double width = 1.6, height = 1.2, takes = 4;
     const Piece sheet = piece(width, height, or_else(particles, 4100), 8);

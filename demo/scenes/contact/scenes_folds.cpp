@@ -19,7 +19,7 @@ ContactScene folddrop(std::uint32_t particles) {
     constexpr int legs = 10;
     constexpr double leg = 0.1, height = 0.4;
     const Piece sheet = piece(1, 0.5, or_else(particles, 4100), legs);
-    // Of few particles legs would have to rise more than they are long.
+    // Limited, since with few particles legs would have to rise by more than their length.
     const double rise = std::min(3 * usual_distance(sheet.edge()), 0.9 * leg);
     const double run = std::sqrt(leg * leg - rise * rise);
     const auto place = [=](double u, double v) {
@@ -36,7 +36,7 @@ ContactScene folddrop(std::uint32_t particles) {
             .rests = true};
 }
 
-/// Lowered end first at constant speed by a hand that sways a little, or it would have no side to fold to.
+/// A ribbon lowered end first at constant speed. The hand sways a little, which gives it a side to fold to.
 ContactScene ribbon(std::uint32_t particles) {
     constexpr double length = 2.4, width = 0.1, low = 0.02, speed = 0.5, stop = 0.4;
     constexpr double sway = 0.015, period = 0.9;

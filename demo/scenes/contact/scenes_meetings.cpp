@@ -1,4 +1,4 @@
-// Sheets that come upon each other.
+// Sheets that collide with each other.
 
 #include <cmath>
 #include <string>
@@ -76,7 +76,7 @@ ContactScene dropped_on(Made made, std::uint32_t particles) {
     return scene;
 }
 
-/// How a strip's width lies.
+/// The orientation of a strip's width.
 enum class Lying { flat, on_edge };
 
 /// Two strips of ten cells by two: one held at its ends, the other dropped across it, its vertices over the

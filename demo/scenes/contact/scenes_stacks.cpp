@@ -1,4 +1,4 @@
-// Sheets that lie on one another: as one mesh, and as cloths of their own.
+// Sheets that lie on one another, as one mesh and as separate cloths.
 
 #include <string>
 

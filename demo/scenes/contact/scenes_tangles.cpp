@@ -1,4 +1,4 @@
-// Sheets that pass through themselves from the start: what is to come free.
+// Sheets that pass through themselves or each other from the start, and are to come free.
 
 #include <cmath>
 #include <numbers>
@@ -15,8 +15,8 @@ using std::numbers::pi;
 
 using Eigen::Vector3d;
 
-/// A meander whose loops overlap: the direction goes to and fro as a sine by more than 2.2 rad (Langbein and
-/// Leopold, "River meanders: theory of minimum variance", 1966). As long as what lies on it.
+/// A meander of arc length `length` whose loops overlap: its direction is a sine of an amplitude of more than
+/// 2.2 rad (Langbein and Leopold, "River meanders: theory of minimum variance", 1966).
 class Meander {
   public:
     Meander(double length, double wave, double angle) : step_(length / count) {
@@ -39,7 +39,7 @@ class Meander {
 
 constexpr double length = 1, width = 0.5;
 
-/// Some 540 pairs cross where 4 100 particles are.
+/// A sheet along the meander. With 4 100 particles some 540 pairs of triangles cross.
 Mesh tangled_mesh(const Piece& sheet, const std::function<Vector3d(const Vector3d&)>& turned) {
     const Meander meander(length, 2 * length / 3, 2.32);
     return placed_sheet(sheet, [&](double u, double v) {
@@ -49,7 +49,7 @@ Mesh tangled_mesh(const Piece& sheet, const std::function<Vector3d(const Vector3
     });
 }
 
-/// Hung by one end.
+/// A tangled sheet hung by one end.
 ContactScene tangled_hung(std::uint32_t particles) {
     const Piece sheet = piece(length, width, or_else(particles, 4100));
     const auto turned = [](const Vector3d& p) { return Vector3d(p.y(), 1.2 - p.x(), p.z()); };
@@ -61,7 +61,7 @@ ContactScene tangled_hung(std::uint32_t particles) {
             .rests = true};
 }
 
-/// Dropped on the ground.
+/// A tangled sheet dropped on the ground.
 ContactScene tangled_dropped(std::uint32_t particles) {
     const Piece sheet = piece(length, width, or_else(particles, 4100));
     const auto turned = [](const Vector3d& p) { return Vector3d(p.x(), 0.2 + p.y(), p.z()); };
@@ -74,8 +74,8 @@ ContactScene tangled_dropped(std::uint32_t particles) {
             .rests = true};
 }
 
-/// Two sheets of 0.4 m on the ground, of which this part of the one lies under the other: they cross along a
-/// straight line.
+/// Two sheets of 0.4 m on the ground, of which the share `part` of one lies under the other. They cross along
+/// a straight line.
 ContactScene crossed(double part, std::uint32_t particles) {
     constexpr double size = 0.4, turn = 0.07;
     const Piece sheet = piece(size, size, or_else(particles, 2048) / 2);

@@ -7,7 +7,7 @@ namespace weft::demo {
 namespace {
 
 constexpr float banner_length = 2.4f, banner_height = 0.7f, hung_at = 2.2f;  // [m]
-constexpr float ends_apart = 0.94f;  // times its length: it hangs and billows by the rest
+constexpr float ends_apart = 0.94f;  // over its length; it hangs and billows by the rest
 
 class Banner final : public Scene {
   public:

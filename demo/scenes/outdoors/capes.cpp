@@ -12,7 +12,7 @@ namespace weft::demo {
 namespace {
 
 constexpr float cape_width = 0.62f, cape_length = 1.05f, shoulders = 1.43f;  // [m]
-constexpr float neck = 0.17f;        // how far from the figure's axis the cape is held [m]
+constexpr float neck = 0.17f;        // distance of the cape's pins from the figure's axis [m]
 constexpr double settled_after = 2;  // [s]; from then on the hem is averaged: at one moment gusts decide it
 constexpr double turns_by = 0.7, turns_in = 4;  // [rad], [s]
 constexpr std::array<Vec3, 5> cape_places{
@@ -23,7 +23,7 @@ constexpr std::array<Vec3, 5> cape_colours{{{0.5f, 0.03f, 0.05f},
                                             {0.05f, 0.22f, 0.1f},
                                             {0.25f, 0.06f, 0.3f}}};
 
-/// Who wears it, about the World's origin, facing +Z.
+/// The wearer's limbs about the World's origin, facing +Z.
 const std::array<Collider, 7>& figure() {
     static const std::array<Collider, 7> limbs{
         {{.shape = TaperedCapsule{{0, 0.98f, 0}, {0, 1.32f, 0}, 0.13f, 0.15f}},
@@ -36,7 +36,7 @@ const std::array<Collider, 7>& figure() {
     return limbs;
 }
 
-/// Turned about +Y by an angle, and put somewhere.
+/// A rotation about +Y and a translation.
 struct Stance {
     Vec3 place;
     float sin, cos;
@@ -63,7 +63,7 @@ Stance stance_of(std::size_t who, double time) {
     return {cape_places[who], static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle))};
 }
 
-/// Where the upper edge is held, from one shoulder round the neck's back to the other.
+/// Pinned place of the upper edge, `part` from 0 at one shoulder round the neck's back to 1 at the other.
 Vec3 held_at(float part) {
     const float angle = std::numbers::pi_v<float> * (0.12f + 0.76f * part);
     return {-1.15f * neck * std::cos(angle), shoulders, -neck * std::sin(angle)};
@@ -137,7 +137,7 @@ class Capes final : public Scene {
         float behind = 0;  ///< summed over steps [m]
         int steps = 0;
     };
-    /// How far the hem is behind where the cape is held [m].
+    /// Mean distance of the hem behind the pinned edge [m].
     [[nodiscard]] float behind(const Wearer& wearer, const ClothView& view) const {
         float sum = 0;
         for (std::uint32_t k = 0; k < columns_; ++k) {

@@ -1,4 +1,4 @@
-// A hundred flags: one cloth that was made ready once, a hundred times.
+// A hundred flags: a hundred copies of one cooked cloth.
 
 #include <array>
 

@@ -15,7 +15,7 @@ namespace weft::study {
 
 namespace {
 
-/// The default cost of a point, in the time that one particle takes with one iteration.
+/// Estimated cost of a point per particle, in the time of one iteration.
 double work_of(const MethodPoint& point) {
     const ClothSettings settings = point.applied_to({});
     const auto iterations = [](const auto& method) {
@@ -32,8 +32,8 @@ double work_of(const MethodPoint& point) {
 
 constexpr double work_of_references = 10'000;
 
-constexpr int rounds = 3;             // in which points are timed
-constexpr double longest_run = 2000;  // [ms]; what takes longer is not run again
+constexpr int rounds = 3;             // of timing all points
+constexpr double longest_run = 2000;  // [ms]; points that take longer get no further round
 
 double sum(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -62,7 +62,7 @@ bool is_wanted(const StudyOptions& options, const std::string& scene) {
 
 std::vector<MethodPoint> points_for(const StudyOptions& options, const StudyScene& scene, bool is_garment) {
     auto points = method_points(options.quick ? Coverage::quick : Coverage::all, scene);
-    // One step has no history; and what it is judged by are springs.
+    // Garments are judged by one step, which has no history, and by the energy of springs.
     if (is_garment)
         std::erase_if(points, [](const MethodPoint& p) {
             const ClothSettings settings = p.applied_to({});
@@ -72,8 +72,8 @@ std::vector<MethodPoint> points_for(const StudyOptions& options, const StudyScen
     return only_named(std::move(points), options.only);
 }
 
-/// append(scene, is_garment) for the garments that are wanted; a quick run has time for them only if it is
-/// asked for them.
+/// Calls append(scene, is_garment) for the garments that are wanted. A quick run has time for them only if
+/// scenes are named.
 template <class Append>
 void append_garments(const StudyOptions& options, const Append& append) {
     if (options.quick && options.scenes.empty()) return;
@@ -204,9 +204,9 @@ class Accuracy {
         Measured measured;
     };
 
-    // In rounds over all points: a slow minute of the machine then falls on all of them, and the median of
-    // the rounds leaves it out. Rows are in the table after the first, so that a run that is stopped can go
-    // on.
+    // Times points in rounds over all of them: a slow minute of the machine then falls on all, and the median
+    // of the rounds leaves it out. Rows are in the table after the first round, so that a run that was
+    // stopped can be resumed.
     template <class Measure, class Time>
     void run_points(const Part& part, const Measure& measure, const Time& time) {
         std::vector<Entry> entries;
@@ -216,7 +216,7 @@ class Accuracy {
                 continue;
             }
             progress_.begin(title(part) + " " + point.name + " " + point.setting);
-            // The first runs of all on caches and clocks that are cold: once for nothing.
+            // Warm-up: caches and clocks are cold in the first run of all.
             if (entries.empty()) (void)time(point);
             entries.push_back({&point, measure(point)});
             put_times(entries.back().measured.row, entries.back().measured.milliseconds);

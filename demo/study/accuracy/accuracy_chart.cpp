@@ -19,7 +19,7 @@ namespace {
 struct Kind {
     std::string file, title, axis, column;
     bool has_front;
-    /// Rows of references whose value is drawn as a level, with what to call it.
+    /// Rows of references whose value is drawn as a level, and the level's name.
     std::vector<std::pair<std::string, std::string>> levels;
 };
 
@@ -116,7 +116,7 @@ std::optional<double> positive(const CsvRow& row, const std::string& column) {
     return value && *value > 0 ? value : std::nullopt;
 }
 
-/// The rows that can be drawn; the default's once more, since it is marked.
+/// The rows that can be drawn. Those of the default are in `defaults` as well, for their mark.
 struct Chart {
     std::vector<Curve> curves;
     std::vector<MeasuredSetting> defaults;
@@ -208,8 +208,8 @@ std::string caption(const CsvRow& row, const Chart& chart) {
     return text;
 }
 
-/// A little more than the values need: gnuplot's own ranges are whole decades. So short an axis that it may
-/// hold no power of ten has marks at 1, 2 and 5.
+/// An axis's range, a little beyond the values: gnuplot's own ranges are whole decades. An axis of at most
+/// two decades may hold no power of ten, and has marks at 1, 2 and 5.
 std::string range_of(char axis, const std::vector<double>& values) {
     const auto [least, largest] = std::ranges::minmax(values);
     const double from = 0.7 * least, to = 1.6 * largest;

@@ -60,8 +60,8 @@ void put_stretch(CsvRow& row, const Stretch& stretch) {
     row["mean_stretch_percent"] = number(100 * (stretch.mean - 1));
 }
 
-/// The converged run of the point's own force model and time scheme at the frame's step, which tells the
-/// solver's error from time's; none for substeps and for methods that solve no equation.
+/// The converged run of the point's own force model and time scheme at the frame's step, which separates the
+/// solver's error from the time scheme's. Null for substeps and for methods that solve no equation.
 const States* own_reference(const Cloth& cloth, const std::map<Reference, States>& references) {
     if (!cloth.solver->is_implicit() || cloth.settings.substeps > 1) return nullptr;
     const bool is_bdf2 = resolved(cloth.settings.time_scheme, cloth.settings.method) == TimeScheme::bdf2;
@@ -73,7 +73,7 @@ const States* own_reference(const Cloth& cloth, const std::map<Reference, States
 
 constexpr int warm_up = 5;  // frames that are not timed
 
-/// What a run leaves to be compared.
+/// The states and times of a run, to be compared.
 struct Outcome {
     States states;
     std::vector<double> milliseconds;
@@ -180,7 +180,7 @@ CsvRow compare_reference(const StudyScene& scene, Reference reference,
 
 namespace {
 
-/// The step from state s, some times over, the first of them not timed.
+/// Repeats the step from state s; the first repeat is not timed.
 void time_step(const GarmentSteps& steps, std::size_t s, Run& run, std::vector<double>& milliseconds) {
     constexpr int timed_repeats = 3;
     for (int repeat = 0; repeat <= timed_repeats; ++repeat) {

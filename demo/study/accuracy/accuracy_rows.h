@@ -12,7 +12,7 @@
 namespace weft::study {
 
 [[nodiscard]] std::vector<std::string> accuracy_columns();
-/// What makes a row another one.
+/// The columns that identify a row.
 [[nodiscard]] std::vector<std::string> accuracy_keys();
 
 /// Frames at which trajectories are compared, and at which energy is taken: 0.5 s, 1 s and 2 s at 60 frames a
@@ -21,27 +21,27 @@ struct ComparedFrames {
     static constexpr int half_second = 30, second = 60, last = 120;
 };
 
-/// The columns that say what was run where: all keys and more.
+/// The columns that describe the run: all keys, machine, commit, label and default.
 [[nodiscard]] CsvRow identity(const StudyScene& scene, const MethodPoint& point, int threads);
 
-/// What a run of a point gave: its row, and the times that are to be put into it.
+/// The result of measuring a point: its row, and the times for put_times().
 struct Measured {
     CsvRow row;
     std::vector<double> milliseconds;  ///< of each frame
 };
-/// Median and 99th percentile of the frames.
+/// Writes the frames' number, and the median and 99th percentile of their times.
 void put_times(CsvRow& row, const std::vector<double>& milliseconds);
 
-/// A sheet from its start, for two seconds, the first of which is timed.
+/// Runs a sheet from its start for two seconds; the first second is timed.
 [[nodiscard]] Measured measure_trajectory(const StudyScene& scene, const MethodPoint& point,
                                           const std::map<Reference, States>& references, int threads);
-/// That first second once more, for its times alone.
+/// Repeats that first second for its times alone.
 [[nodiscard]] std::vector<double> time_trajectory(const StudyScene& scene, const MethodPoint& point,
                                                   int threads);
-/// What a reference differs from the others by: the error that remains once its own is gone.
+/// A reference's distances from the others: the error left to a method that matches this reference exactly.
 [[nodiscard]] CsvRow compare_reference(const StudyScene& scene, Reference reference,
                                        const std::map<Reference, States>& references, int threads);
-/// One step of a garment from each of several states.
+/// Measures one step of a garment from each of several states.
 [[nodiscard]] Measured measure_steps(const GarmentSteps& steps, const MethodPoint& point, int threads);
 [[nodiscard]] std::vector<double> time_steps(const GarmentSteps& steps, const MethodPoint& point,
                                              int threads);

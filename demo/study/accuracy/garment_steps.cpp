@@ -27,7 +27,7 @@ StepEquation equation_of(const Run& run, const StudyScene& scene) {
             .gravity = to_vector(scene.world.gravity), .air_damping = cloth.settings.air_damping, .air = {}}};
 }
 
-/// Velocities once gravity alone has acted.
+/// Velocities after one frame under gravity alone.
 Flat inertial(const Run& run, const StudyScene& scene) {
     const ClothState& state = run.cloth().state;
     const Eigen::Vector3d fall =

@@ -1,6 +1,6 @@
 #pragma once
 // One step of a garment from states of a reference run. Trajectories of garments branch wherever cloth
-// buckles, even between two ways to converge; so solvers are judged by what they make of the same step.
+// buckles, even between two ways to converge. So solvers are judged by their results for the same step.
 
 #include <vector>
 
@@ -16,7 +16,7 @@ class GarmentSteps {
 
     GarmentSteps(const StudyScene& garment, ReferenceStore& store, int threads);
 
-    /// What a method makes of one of the steps.
+    /// The error of a method in one of the steps.
     struct Judgement {
         double rms;         ///< distance from the converged step [m]
         double energy_gap;  ///< how much of the functional's descent from the inertial start to the converged
@@ -25,7 +25,7 @@ class GarmentSteps {
 
     [[nodiscard]] const StudyScene& garment() const { return garment_; }
     [[nodiscard]] std::size_t size() const { return steps_.size(); }
-    /// The garment as the step finds it.
+    /// The garment in the state from which the step starts.
     [[nodiscard]] const StudyScene& start(std::size_t step) const { return steps_[step].start; }
     [[nodiscard]] Judgement judge(std::size_t step, const Cloth& after) const;
 
@@ -33,10 +33,10 @@ class GarmentSteps {
     struct Step {
         StudyScene start;
         StepFunctional functional;
-        Flat start_positions;  // flat
+        Flat start_positions;
         Positions solution;
-        std::vector<DampedState> damped;  // by the solution
-        double solved, inertial;          // values of the functional
+        std::vector<DampedState> damped;  // at the solution
+        double solved, inertial;          // the functional at the solution and at the inertial start
     };
     [[nodiscard]] Step make_step(const Positions& before, const Positions& now, int threads) const;
     [[nodiscard]] Flat velocities_to(const Step& step, const Positions& positions) const;

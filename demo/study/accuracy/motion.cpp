@@ -1,5 +1,5 @@
-// weft_study motion: time schemes by how alive motion is, how near to the truth, whether it ends and what it
-// costs.
+// weft_study motion: time schemes by energy and speed of motion, distance from the truth, time to rest and
+// cost.
 
 #include <array>
 #include <cstdio>
@@ -25,7 +25,7 @@ const std::vector<std::string> columns{"machine",           "commit",      "meth
                                        "speed_60",          "speed_120",   "speed_240"};
 const std::vector<std::string> keys{"method", "per_side", "truth_side"};
 
-/// Backward Euler and BDF2 at some numbers of passes and substeps; the first is what times are told in.
+/// Backward Euler and BDF2 at some numbers of passes and substeps. Times are relative to the first.
 std::vector<MethodPoint> candidates() {
     std::vector<MethodPoint> points;
     const auto add = [&](TimeScheme scheme, int passes, int substeps) {
@@ -119,7 +119,7 @@ class Motion {
         add_swings(point, row);
         add_distances(point, row);
         StudyScene hung = hung_sheet(sizes_.rest, false);
-        hung.world.wind.air_density = Wind{}.air_density;  // air that is still ends motion
+        hung.world.wind.air_density = Wind{}.air_density;  // still air ends motion
         const std::vector<double> speeds = peak_speeds(hung, point, sizes_.rest_seconds, threads_);
         row["rest_s"] = number(time_to_rest(speeds, static_cast<double>(hung.frame), at_rest));
         row["speed_40_mms"] = number(1000 * speeds.back());
@@ -127,9 +127,9 @@ class Motion {
     }
 
     struct Times {
-        double ratio, milliseconds;  ///< of a frame, to the first's
+        double ratio, milliseconds;  ///< of a frame; ratio: over the first point's
     };
-    /// Medians over frames that are run in turn with the first's, so that a slow moment falls on both.
+    /// Medians over frames that alternate with the first point's, so that a slow moment falls on both.
     [[nodiscard]] Times times_of(const MethodPoint& first, const MethodPoint& point) const {
         constexpr int frames = 30;
         std::vector<double> ratios, milliseconds;
@@ -175,7 +175,7 @@ class Motion {
         return states;
     }
 
-    /// As far as many passes get, which on this sheet is within a millimetre.
+    /// The states by 48 passes, which on this sheet are converged to within a millimetre.
     const States& converged(TimeScheme scheme, int substeps) {
         States& states = converged_[{scheme, substeps}];
         if (!states.empty()) return states;
@@ -220,7 +220,7 @@ int run_motion(const StudyOptions& options) {
         std::fprintf(stderr, "weft_study: no method's name contains %s\n", options.only.c_str());
         return 1;
     }
-    // Times are told in the first's.
+    // Times are relative to the first candidate's.
     if (points.front().name != all.front().name) points.insert(points.begin(), all.front());
     Motion(options).run(points);
     return 0;

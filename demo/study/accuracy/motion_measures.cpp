@@ -16,7 +16,7 @@ double sum_of_squared_speeds(const Cloth& cloth) {
     return sum;
 }
 
-/// Collects what Swing holds, frame by frame.
+/// Collects the figures of a Swing, frame by frame.
 class SwingWatch {
   public:
     SwingWatch(const Cloth& cloth, const Vec3& gravity, int frames)

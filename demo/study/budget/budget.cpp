@@ -1,5 +1,4 @@
-// weft_study budget: what a budget holds, and how wrong motion is then, beside one setting for all of equal
-// cost.
+// weft_study budget: times and motion error under a budget, beside one setting for all of equal cost.
 
 #include <array>
 #include <cmath>
@@ -44,8 +43,8 @@ std::vector<Candidate> candidates() {
 
 using Positions3 = std::vector<Vec3>;
 
-/// What steps would take if all that is done alike took alike: what the choices make of it, without what the
-/// machine does besides.
+/// Times of steps if equal work took equal time: the effect of the budget's choices alone, without the
+/// machine's noise.
 class ChosenWork {
   public:
     void add(const Crowd& crowd, double time) {
@@ -74,7 +73,8 @@ class ChosenWork {
   private:
     static constexpr std::size_t kinds = rung_count + 1;
     using Step = std::array<double, kinds>;
-    /// A step of its own on each rung; the last: it moves on to where its last one ended.
+    /// Kind of a cloth's work: a step of its own on each rung; the last kind moves on towards its last step's
+    /// end.
     static std::size_t kind_of(const Cloth& cloth) {
         if (!cloth.state.detail) return 0;
         const DetailState& detail = *cloth.state.detail;
@@ -100,7 +100,7 @@ class BudgetStudy {
     }
 
   private:
-    /// The camera has turned once, and costs are known.
+    /// The first quarter does not count: costs have to become known.
     [[nodiscard]] bool is_counted(int step) const { return step >= steps_ / 4; }
     [[nodiscard]] bool is_compared(int step) const { return is_counted(step) && step % 3 == 0; }
 
@@ -121,8 +121,8 @@ class BudgetStudy {
         return all;
     }
 
-    /// The squares of angles between where particles of seen cloths are and should be, and how many these
-    /// are.
+    /// Sum of squared view angles between actual and true positions of seen cloths' particles [rad^2], and
+    /// the particles' number.
     static std::pair<double, double> error_of(const Crowd& crowd, const Positions3& truth) {
         double sum = 0, number = 0;
         auto should = truth.begin();

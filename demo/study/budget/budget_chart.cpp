@@ -10,7 +10,7 @@ namespace weft::study {
 
 namespace {
 
-/// `mean p99 error name`, of one kind.
+/// Lines `mean p99 error name` of one kind.
 std::string points_of(const CsvTable& table, const std::string& kind) {
     std::ostringstream text;
     for (const CsvRow& row : table.rows)

@@ -1,5 +1,5 @@
 #pragma once
-// What weft_study budget wrote, as a picture.
+// The picture of a table that `weft_study budget` wrote.
 
 #include <filesystem>
 

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t count = 50;
 constexpr std::uint32_t side = 17;
 constexpr float frame = 1.0f / 60;
-constexpr float turn = 8;        // of the camera [s]
-constexpr float half_sight = 1;  // of what it sees, to either side [rad]
+constexpr float turn = 8;        // time of the camera's full turn [s]
+constexpr float half_sight = 1;  // half the camera's angle of view [rad]
 
 std::int64_t processor_nanoseconds() noexcept {
     return static_cast<std::int64_t>(std::clock()) * (1'000'000'000 / CLOCKS_PER_SEC);
@@ -43,7 +43,7 @@ Crowd::Crowd(const CrowdSettings& settings) : simulation_(world_of(settings)) {
     of_cloth.method = settings.method;
     of_cloth.substeps = settings.substeps;
     for (std::size_t i = 0; i < count; ++i) {
-        // A few near, most of them far, all round.
+        // Curtains stand all round, at distances that grow quadratically from 2 towards 60 m.
         const float part = static_cast<float>(i) / count;
         distances_.push_back(2 + 58 * part * part);
         angles_.push_back(std::fmod(2.4f * static_cast<float>(i), 2 * std::numbers::pi_v<float>));

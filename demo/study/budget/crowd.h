@@ -1,5 +1,5 @@
 #pragma once
-// Fifty curtains in gusts, round a camera that turns: what a budget is for.
+// Fifty curtains in gusts, round a camera that turns: a scene for budgets.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace weft::study {
 
-/// How all of it is stepped.
+/// How a crowd is stepped.
 struct CrowdSettings {
     Method method{};
     int substeps = 1;
     float budget = 0;        ///< [ms]
-    std::uint32_t rung = 0;  ///< of the budget's ladder, for all; 0: as the budget chooses
+    std::uint32_t rung = 0;  ///< of the budget's ladder, the same for all cloths; 0: the budget chooses
 };
 
 class Crowd {
   public:
     explicit Crowd(const CrowdSettings& settings);
-    /// One step; the processor's time for it [ms].
+    /// Takes one step and returns its processor time [ms].
     double step();
-    /// Whether the camera sees the cloth, and from how far [m].
+    /// Whether the camera sees the cloth, and its distance from the camera [m].
     [[nodiscard]] bool is_seen(std::size_t cloth) const;
     [[nodiscard]] float distance(std::size_t cloth) const { return distances_[cloth]; }
     [[nodiscard]] std::size_t size() const { return cloths_.size(); }

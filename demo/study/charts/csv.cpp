@@ -32,7 +32,7 @@ std::string line_of(const std::vector<std::string>& fields) {
     return line + "\n";
 }
 
-/// Whole lines: what follows the last line break was cut short by a stop.
+/// The whole lines of a file: text after the last line break was cut short by a stop.
 std::vector<std::string> whole_lines(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throw std::runtime_error(file.string() + " cannot be read");
@@ -76,10 +76,10 @@ CsvWriter::CsvWriter(std::filesystem::path file, std::vector<std::string> column
         throw std::runtime_error(file_.string() +
                                  " has other columns; name another file, or leave --resume out");
     table_.columns = std::move(columns);
-    write_all();  // which drops a line that was cut short
+    write_all();  // drops a line that was cut short
 }
 
-// Beside the file first: whoever is stopped here leaves a whole table.
+// Writes beside the file first, so that a stop here leaves a whole table.
 void CsvWriter::write_all() const {
     std::string text = line_of(table_.columns);
     for (const CsvRow& row : table_.rows) text += text_of(row);

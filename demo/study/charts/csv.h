@@ -28,16 +28,16 @@ class CsvWriter {
     /// written, or has other columns.
     CsvWriter(std::filesystem::path file, std::vector<std::string> columns, bool resume);
 
-    /// The row whose `keys` columns are equal to those of `row`, from before or since; null if there is none.
+    /// The row, read or appended, whose `keys` columns equal those of `row`; null if there is none.
     [[nodiscard]] const CsvRow* find(const CsvRow& row, const std::vector<std::string>& keys) const;
-    /// Columns that `row` lacks stay empty. On the disk when this returns.
+    /// Appends a row; it is on the disk when this returns. Columns that `row` lacks stay empty.
     void append(const CsvRow& row);
-    /// The row in place of the one that is equal to it in `keys`; appended if there is none.
+    /// Puts the row in place of the one that equals it in `keys`; appends it if there is none.
     void replace(const CsvRow& row, const std::vector<std::string>& keys);
 
   private:
     void write_all() const;
-    /// With empty texts for what it lacks.
+    /// The row with empty texts for the columns that it lacks.
     [[nodiscard]] CsvRow whole(const CsvRow& row) const;
     [[nodiscard]] std::string text_of(const CsvRow& row) const;
 
@@ -45,7 +45,7 @@ class CsvWriter {
     CsvTable table_;
 };
 
-/// Six digits, or empty for what is not finite.
+/// The value with six digits; empty if it is not finite.
 [[nodiscard]] std::string number(double value);
 /// The number of a field; none if it is empty or no number.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);

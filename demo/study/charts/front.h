@@ -1,5 +1,5 @@
 #pragma once
-// Which points are the best there are: nothing else is both cheaper and more accurate.
+// The Pareto front: the points that no other point beats in both cost and error.
 
 #include <span>
 #include <vector>
@@ -11,7 +11,7 @@ struct CostAndError {
 };
 
 /// Indices of the points of which no other is as good in both and better in one (Pareto 1906), in ascending
-/// order of cost. Of equal points the first.
+/// order of cost. Equal points are represented by the first.
 [[nodiscard]] std::vector<std::size_t> front_of(std::span<const CostAndError> points);
 
 }  // namespace weft::study

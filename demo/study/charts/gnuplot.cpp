@@ -12,7 +12,7 @@ std::string quoted(const std::string& text) {
         if (c == '\'')
             result += "''";
         else if (c == '\n')
-            result += R"('."\n".')";  // a string of gnuplot's ends with its line
+            result += R"('."\n".')";  // gnuplot's strings end with their line
         else
             result += c;
     }

@@ -6,7 +6,7 @@
 
 namespace weft::study {
 
-/// In single quotes, where gnuplot doubles those that belong to the text.
+/// The text as a gnuplot string in single quotes; quotes inside it are doubled.
 [[nodiscard]] std::string quoted(const std::string& text);
 
 /// Writes `stem`.gnuplot, whose `plot` is drawn as `stem`.svg and `stem`.png, and runs it. Throws

@@ -1,4 +1,4 @@
-// weft_study contact: what passes through what, in scenes where cloth meets itself, by every rung of
+// weft_study contact: crossing triangles in scenes where cloth collides with cloth, by every rung of
 // self-collision.
 
 #include <chrono>
@@ -22,7 +22,7 @@ struct Item {
     double cost;
 };
 
-/// A guess for the time left: particles times seconds.
+/// Estimated cost of a scene, for the time left: particles times seconds.
 double cost_of(const ContactScene& scene) {
     std::size_t particles = 0;
     for (const PlacedCloth& cloth : scene.cloths) particles += cloth.mesh.positions.size();

@@ -22,7 +22,7 @@ std::vector<std::string> scenes_of(const CsvTable& table) {
     return scenes;
 }
 
-/// `peak final line`, of one rung: no pairs are drawn as half a one, since the axis is logarithmic.
+/// Lines `peak final line` of one rung. Values are drawn at `least` or above, since the axis is logarithmic.
 std::string points(const CsvTable& table, const std::vector<std::string>& scenes, std::size_t rung,
                    const std::string& peak, const std::string& final, double least) {
     std::ostringstream text;

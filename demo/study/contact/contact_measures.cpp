@@ -31,12 +31,12 @@ double rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
                       static_cast<double>(p.y) - static_cast<double>(q.y));
 }
 
-/// A sheet's diagonals are shear springs.
+/// Whether an edge is a sheet's diagonal, which is a shear spring.
 bool is_diagonal(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     return mesh.columns > 0 && a / mesh.columns != b / mesh.columns && a % mesh.columns != b % mesh.columns;
 }
 
-/// `visit(position, velocity, mass)` for each particle that is free.
+/// Calls `visit(position, velocity, mass)` for each free particle.
 template <class Visit>
 void for_free(const ContactRun& run, const Visit& visit) {
     for (const ClothId id : run.cloths()) {
@@ -59,7 +59,7 @@ struct DistanceTo {
         const double t = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
         return (a + t * along - p).norm() - static_cast<double>(c.radius);
     }
-    double operator()(const TaperedCapsule& c) const {  // of the balls along it, the nearest
+    double operator()(const TaperedCapsule& c) const {  // of the nearest of 1001 balls along it
         const Vector3d a = in_double(c.a), along = in_double(c.b) - a;
         const double first = static_cast<double>(c.radius_a), last = static_cast<double>(c.radius_b);
         double least = std::numeric_limits<double>::infinity();

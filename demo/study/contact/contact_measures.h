@@ -1,5 +1,5 @@
 #pragma once
-// What is measured on a scene's state.
+// Measures of the state of a scene of contact.
 
 #include <Eigen/Core>
 #include <vector>
@@ -27,19 +27,19 @@ class EdgeStretch {
     std::vector<std::vector<Edge>> edges_;  // of each cloth
 };
 
-[[nodiscard]] double rms_speed(const ContactRun& run);  ///< of all that is free, weighted by mass [m/s]
+[[nodiscard]] double rms_speed(const ContactRun& run);  ///< of all free particles, weighted by mass [m/s]
 
-/// How far the deepest particle that is free is inside the distance that is kept from colliders [m]; from
-/// ClothSettings::thickness on it is in the solid. 0 or less: none is.
+/// Penetration depth of the deepest free particle into the distance kept from colliders [m]. From
+/// ClothSettings::thickness on it is inside the solid. 0 or less: none is inside.
 [[nodiscard]] double deepest_in_colliders(const ContactRun& run);
 
-/// Sum of mass times velocity of all that is free [kg m/s].
+/// Sum of mass times velocity of all free particles [kg m/s].
 [[nodiscard]] Eigen::Vector3d momentum(const ContactRun& run);
 
-/// Mean heights of the scene's layers, the one first that was lowest at the start [m].
+/// Mean heights of the scene's layers [m], in their order at the start, the lowest first.
 [[nodiscard]] std::vector<double> layer_heights(const ContactRun& run);
 
-/// How many layers are, by their mean heights, above the one that was below them at the start.
+/// Number of layers whose mean height is above that of the layer below them at the start.
 [[nodiscard]] std::size_t layers_in_order(const std::vector<double>& heights);
 
 }  // namespace weft::study

@@ -25,7 +25,7 @@ class Judge {
         look();
     }
 
-    /// After every step, which took so long.
+    /// Call this after every step, which took `seconds`.
     void count_step(double seconds) {
         times_.push_back(seconds);
         result_.pin_lag = std::max(result_.pin_lag, run_.pin_lag());
@@ -40,7 +40,7 @@ class Judge {
         if (run_.scene().free_momentum > 0 && run_.time() > run_.scene().free_from) follow_momentum();
     }
 
-    /// Measures what there is now.
+    /// Measures the present state.
     void look() {
         const TriangleSoup soup = run_.soup();
         const CrossingCount crossings = count_crossings(soup);

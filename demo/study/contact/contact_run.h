@@ -13,7 +13,7 @@ class ContactRun {
     /// Throws std::runtime_error where a World refuses the scene. `threads` 0: one per core.
     ContactRun(ContactScene scene, Rung rung, int threads = 1);
 
-    /// One step of ContactScene::step(); returns what World::step took [s].
+    /// Takes one step of ContactScene::step(); returns the time of World::step [s].
     double step();
     [[nodiscard]] double time() const { return static_cast<double>(steps_) * ContactScene::step(); }
     [[nodiscard]] bool over() const { return time() > scene_.seconds - ContactScene::step() / 2; }
@@ -23,11 +23,11 @@ class ContactRun {
     [[nodiscard]] const std::vector<ClothId>& cloths() const { return cloths_; }
     [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
     [[nodiscard]] std::uint32_t particles() const;
-    /// Of all cloths, as they are now.
+    /// The triangles of all cloths, as they are now.
     [[nodiscard]] TriangleSoup soup() const;
 
-    /// Distance from where the scene moved a pinned vertex to in the last step, to where it is: the farthest
-    /// [m]. Pins may have to give way where cloth is held against them.
+    /// Greatest distance of a pinned vertex from its target of the last step [m]. Pins may have to give way
+    /// where cloth is held against them.
     [[nodiscard]] double pin_lag() const;
 
   private:

@@ -12,10 +12,10 @@ namespace weft::study {
 [[nodiscard]] const std::vector<std::string>& contact_columns();
 [[nodiscard]] bool is_contact_table(const CsvTable& table);
 
-/// What tells a row from others.
+/// The columns that identify a row.
 [[nodiscard]] const std::vector<std::string>& contact_keys();
 [[nodiscard]] CsvRow contact_key(const std::string& scene, Rung rung, std::uint32_t particles, int every);
-/// The key and the figures. Lengths in mm, speeds in mm/s, steps in ms.
+/// A row of the key and the figures. Lengths in mm, speeds in mm/s, steps in ms.
 [[nodiscard]] CsvRow contact_row(CsvRow key, const ContactResult& result);
 
 /// Markdown: one line for each row.

@@ -32,7 +32,7 @@ Mesh garment(const std::string& file) {
     return mesh;
 }
 
-/// The topmost 3 % of its height.
+/// The vertices of the topmost 3 % of the mesh's height.
 std::vector<std::uint32_t> topmost(const Mesh& mesh) {
     const auto [low, high] = std::ranges::minmax(mesh.positions, {}, [](const Vec3& p) { return p.y; });
     std::vector<std::uint32_t> vertices;
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> topmost(const Mesh& mesh) {
     return vertices;
 }
 
-/// Two seconds at rest, four swung to and fro and turned about the upright axis, and at rest again.
+/// Position of a pin: two seconds at rest, four swung to and fro and turned about +Y, then at rest again.
 Vec3 swung(const Vec3& start, double time) {
     constexpr double begins = 2, lasts = 4, soft = 0.5;
     const double since = std::clamp(time - begins, 0.0, lasts);

@@ -25,7 +25,7 @@ namespace {
 constexpr std::array searches{SelfCollisionSearch::exact, SelfCollisionSearch::shifted_grids,
                               SelfCollisionSearch::sorted_sweep};
 
-/// A sheet where it lies, and what of it is near at rest.
+/// The positions of a sheet, and its pairs that are near at rest.
 struct SearchedSheet {
     explicit SearchedSheet(const SearchCase& of)
         : model(must(cook(must(make_sheet({.rows = of.side, .columns = of.side}))))),
@@ -62,7 +62,7 @@ struct SearchedSheet {
     std::vector<Vec4> positions;
 };
 
-/// What brute force would put into lists that hold so many.
+/// Number of entries that brute force would put into the particles' lists, up to their capacity.
 double listed_by_brute_force(const SearchedSheet& sheet) {
     const auto n = static_cast<std::uint32_t>(sheet.positions.size());
     const RestFilter filter = sheet.near_at_rest.filter();
@@ -90,8 +90,8 @@ Bounds bounds_of(const std::vector<Vec4>& positions) {
     return box;
 }
 
-/// Of patches: sixteen for each particle within the distance of a patch's box. Where it is so crowded that
-/// patches are left to the grid, that is tested besides, and not counted.
+/// Distance tests by patches: sixteen for each particle within the distance of a patch's box. Crowded patches
+/// are left to the grid, whose tests are not counted.
 double tests_of_patches(Parallel& parallel, const SearchedSheet& sheet) {
     Patches patches(sheet.model.positions.span());
     patches.place(parallel, sheet.positions);

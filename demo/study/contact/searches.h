@@ -1,6 +1,5 @@
 #pragma once
-// weft_study contact --searches: what the broad phases of avoidance find, what they test for it, and in what
-// time.
+// weft_study contact --searches: recall, distance tests and time of the broad phases of avoidance.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +12,7 @@
 
 namespace weft::study {
 
-/// A square sheet of 1 m, flat or crumpled, of so many particles a side; particles nearer than so many edges
+/// A square sheet of 1 m, flat or crumpled, with `side` particles a side. Particles nearer than `edges` edges
 /// are to be found.
 struct SearchCase {
     bool crumpled = true;
@@ -22,13 +21,13 @@ struct SearchCase {
 };
 
 struct SearchResult {
-    double pairs = 0;   ///< per particle and its list: brute force's, but no more than a list holds
-    double recall = 0;  ///< part of these that was found; 1 where there are none
+    double pairs = 0;   ///< per particle, by brute force; at most a list's capacity
+    double recall = 0;  ///< share of these that was found; 1 where there are none
     double tests = 0;   ///< distances computed per particle, a pair's from both sides
-    double ns = 0;      ///< per particle, sort and search: the median
+    double ns = 0;      ///< median time per particle of sort and search
 };
 
-/// By exact, shifted grids and sorted sweep, timed in turn.
+/// Results of exact, shifted grids and sorted sweep, in this order, timed in turn.
 [[nodiscard]] std::vector<SearchResult> measure_searches(const SearchCase& search_case, int threads,
                                                          int repeats);
 [[nodiscard]] const char* name_of(SelfCollisionSearch search);

@@ -30,7 +30,7 @@ float middle(const Box& box, std::size_t axis) {
     return box.low[axis] + box.high[axis];
 }
 
-/// Along which the boxes' middles spread most.
+/// The axis along which the boxes' middles spread most.
 std::size_t widest_axis(std::span<const std::uint32_t> triangles, const std::vector<Box>& boxes) {
     Box middles = nothing;
     for (const std::uint32_t t : triangles) {

@@ -1,5 +1,5 @@
 #pragma once
-// A tree of boxes over the triangles of a soup: which pairs of triangles are near enough to be looked at.
+// A bounding volume hierarchy over the triangles of a soup, which finds pairs of triangles that are near.
 
 #include <algorithm>
 #include <array>
@@ -21,14 +21,14 @@ class BoxTree {
     explicit BoxTree(const TriangleSoup& soup);
 
     /// Calls `visit(first, second)` once for each pair of different triangles for which `near(box, box)` is
-    /// true of both their boxes and of those around them. What holds for two boxes has to hold for larger
-    /// ones.
+    /// true of their boxes and of all nodes' boxes around them. Precondition: if `near` is true of two boxes,
+    /// it is true of boxes that contain them.
     template <class Near, class Visit>
     void pairs(const Near& near, const Visit& visit) const;
 
   private:
     static constexpr std::uint32_t leaf_size = 4;
-    /// Of order_[first, last); its children, where it has any, are at `child` and the next.
+    /// A node over order_[first, last). Its children are the nodes `child` and `child` + 1; 0: it is a leaf.
     struct Node {
         Box box;
         std::uint32_t first, last, child;

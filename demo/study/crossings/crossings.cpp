@@ -18,7 +18,7 @@ Corners corners_of(const TriangleSoup& soup, std::uint32_t triangle) {
     return {soup.points[a], soup.points[b], soup.points[c]};
 }
 
-/// Of each of `other`'s corners: on which side of the triangle's plane.
+/// For each of `other`'s corners, its side of the triangle's plane.
 Sides sides_of(const Corners& triangle, const Corners& other) {
     Sides sides;
     for (std::size_t k = 0; k < 3; ++k)
@@ -31,9 +31,9 @@ bool on_both_sides(const Sides& sides) {
     return least < 0 && most > 0;
 }
 
-/// Turns the corners so that the first one is alone on its side of the other triangle's plane, and this is
-/// the positive side of it, for which the other triangle is turned over if need be. Where the middle one of
-/// -1, 0, 1 is, either end is alone.
+/// Rotates the corners so that the first one is alone on its side of the other triangle's plane. The other
+/// triangle is flipped if that is not its positive side. Where sides are -1, 0 and 1, either end counts as
+/// alone.
 void put_lone_corner_first(Corners& corners, const Sides& sides, Corners& other) {
     const auto is_alone = [&](std::size_t k) {
         return sides[k] != 0 && sides[(k + 1) % 3] != sides[k] && sides[(k + 2) % 3] != sides[k];
@@ -44,9 +44,9 @@ void put_lone_corner_first(Corners& corners, const Sides& sides, Corners& other)
     if (sides[lone] < 0) std::swap(other[1], other[2]);
 }
 
-// Each cuts a stretch out of the line in which the planes meet, between the two edges at its lone corner; the
+// Each triangle cuts an interval out of the planes' common line, at the two edges of its lone corner. The
 // ends' order along the line is the sign of a volume (Guigue and Devillers, "Fast and Robust
-// Triangle-Triangle Overlap Test", 2003). With < in place of their <=, stretches that only touch are none.
+// Triangle-Triangle Overlap Test", 2003). With < for their <=, intervals that only touch do not overlap.
 bool cross(Corners a, Corners b) {
     const Sides of_b = sides_of(a, b);
     if (!on_both_sides(of_b)) return false;
@@ -58,7 +58,7 @@ bool cross(Corners a, Corners b) {
     return orientation(a[0], a[1], b[0], b[1]) < 0 && orientation(a[0], a[2], b[2], b[0]) < 0;
 }
 
-/// Whether the insides of the boxes' hull could meet: boxes that only touch hold no triangles that cross.
+/// Whether the boxes' interiors overlap: boxes that only touch hold no triangles that cross.
 bool overlap(const Box& a, const Box& b) {
     for (std::size_t k = 0; k < 3; ++k)
         if (a.high[k] <= b.low[k] || b.high[k] <= a.low[k]) return false;

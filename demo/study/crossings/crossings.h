@@ -1,11 +1,11 @@
 #pragma once
-// Which triangles of cloth have passed through each other: what judges contact, and so shares nothing with
-// it.
+// Finds triangles of cloth that have passed through each other. This judges contact, and so shares nothing
+// with it.
 //
 // Two triangles that share no vertex cross if each has corners strictly on both sides of the other's plane,
-// and their insides, without edges and corners, have a point in common. So touching is no crossing: a corner
-// in a plane, an edge on an edge, triangles in one plane, faces that coincide. All of it is decided by signs
-// of volumes that are exact for floats, whatever lies in what plane.
+// and their interiors, without edges and corners, have a point in common. So touching is no crossing: a
+// corner in a plane, an edge on an edge, triangles in one plane, faces that coincide. All decisions are signs
+// of volumes, which are exact for floats, degenerate cases included.
 
 #include <cstdint>
 #include <utility>

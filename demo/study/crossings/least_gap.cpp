@@ -30,7 +30,7 @@ double squared_distance(const Box& a, const Box& b) {
 
 }  // namespace
 
-// The tree passes over what is farther apart than the closest pair yet.
+// The tree skips boxes that are farther apart than the closest pair so far.
 double least_gap(const TriangleSoup& soup, double bound) {
     double least = bound * bound;
     const auto near = [&](const Box& a, const Box& b) { return squared_distance(a, b) < least; };

@@ -24,8 +24,8 @@ class ExactSum {
         if (value != 0 || kept == 0) parts_[kept++] = value;
         size_ = kept;
     }
-    /// Products of two floats are doubles; that with a third is rounded, and fma tells by how much. Three
-    /// floats' exponents add up to far less than a double's range.
+    /// A product of two floats is exact as a double. The product with a third is rounded, and fma gives the
+    /// rounding error. Three floats' exponents add up to far less than a double's range.
     void add_product(float a, float b, float c) {
         const double ab = static_cast<double>(a) * static_cast<double>(b), third = static_cast<double>(c);
         const double product = ab * third;
@@ -54,7 +54,7 @@ void add_determinant(ExactSum& sum, float sign, const Vec3& p, const Vec3& q, co
 
 }  // namespace
 
-// The determinant of differences as four of the points themselves, since differences may not be exact.
+// The determinant of differences is expanded into four of the points themselves: differences may be inexact.
 int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     ExactSum sum;
     add_determinant(sum, 1, a, b, c);

@@ -1,5 +1,5 @@
 #pragma once
-// On which side of a plane a point is: the sign is right for any four points of floats.
+// The side of a plane on which a point is. The sign is exact for any four points of floats.
 
 #include "weft/types.h"
 
@@ -8,7 +8,7 @@ namespace weft::study {
 /// The sign, -1, 0 or 1, of det(a - d, b - d, c - d), six times the signed volume of the four.
 [[nodiscard]] int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// The same, without the shortcut that decides nearly all of them: for tests.
+/// The same sign without the floating-point filter that decides nearly all cases; for tests.
 [[nodiscard]] int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 }  // namespace weft::study

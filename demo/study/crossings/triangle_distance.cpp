@@ -32,7 +32,7 @@ double squared_distance(const Vector3d& p, const Corners3& triangle) {
     return std::min({to_segment(p, a, b), to_segment(p, b, c), to_segment(p, c, a)});
 }
 
-// The least is between the insides of both, where the lines' closest points are, or at one of four ends.
+// The least distance is between the lines' closest points, if both are inside, or at one of the four ends.
 double squared_distance(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
     const Vector3d u = b - a, v = d - c, w = a - c;
     const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double density = 0.2, length = 0.2;  // [kg/m^2], [m]
 
-/// Two columns are pinned. What lies between the last of them and the first free one bends about the last:
-/// half of that is the clamp's, so that the strip begins half a cell before the last pinned particles.
+/// Two columns are pinned. The bend between pinned and free cells is concentrated at the last pinned column.
+/// Half of that bend is the clamp's, so that the strip begins half a cell before the last pinned particles.
 struct Clamp {
     double last, begins;  ///< [m]
     explicit Clamp(std::uint32_t cells) : last(length / cells), begins(0.5 * last) {}
@@ -53,12 +53,12 @@ std::vector<Finding> cantilever(ForceModel model, std::uint32_t cells, double ga
             finding("chord", "degrees", measured.chord_degrees(), known.chord_degrees())};
 }
 
-/// How far the upright strip's end goes aside after a push that is taken away again [m].
+/// Sideways deflection of the upright strip's end after a temporary push [m].
 double gives_way(ForceModel model, std::uint32_t cells, double gamma) {
     const Clamp clamp(cells);
     Fabric fabric;
     fabric.areal_density = static_cast<float>(density);
-    // So stiff in its own plane that it does not bend there: K w^3 / 12 against B w.
+    // The strip is so stiff in its own plane that it does not bend there: K w^3 / 12 against B w.
     fabric.warp = fabric.weft = 2e4f;
     fabric.shear = 8e3f;
     fabric.bending = static_cast<float>(rigidity(gamma, clamp.free_length()));

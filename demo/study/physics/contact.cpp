@@ -1,4 +1,4 @@
-// Coulomb's friction: what slides down a slope, and a strip that slips round a cylinder.
+// Coulomb friction: a sheet that slides down a slope, and a strip that slips round a cylinder.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ void add(Experiment& cloth, const Collider& collider) {
     must(cloth.world().add_collider(collider));
 }
 
-/// How fast it goes down, 1 s after it was let lie there [m/s].
+/// Mean speed down the slope, 1 s after the sheet was laid there [m/s].
 double speed_down(ForceModel model, std::uint32_t cells, double angle, double friction) {
     const auto s = static_cast<float>(std::sin(angle)), c = static_cast<float>(std::cos(angle));
     const Vec3 normal{s, c, 0}, down{c, -s, 0};
@@ -53,14 +53,14 @@ std::vector<Finding> slope(ForceModel model, std::uint32_t cells) {
                     slope_acceleration(steep, friction, Experiment::gravity))};
 }
 
-/// Over a cylinder of 5 cm, with 20 cm on one side and 30 cm on the other: whether it slips.
+/// A strip over a cylinder of 5 cm radius, with 20 cm on one side and 30 cm on the other.
 struct Capstan {
     static constexpr double cylinder = 0.05, shorter = 0.2, longer = 0.3;
 
     explicit Capstan(const ClothSettings& settings)
         : radius(cylinder + static_cast<double>(settings.thickness)), arc(std::numbers::pi * radius) {}
 
-    /// Along the strip from its shorter end, on its way over the cylinder.
+    /// Position of a point of the pattern, whose x runs along the strip from its shorter end.
     [[nodiscard]] Vec3 place(Vec2 p) const {
         const double along = static_cast<double>(p.x), up = along - shorter, down = up - arc;
         const double angle = std::clamp(up, 0.0, arc) / radius;
@@ -85,7 +85,7 @@ bool slips(ForceModel model, std::uint32_t cells, double friction) {
     add(strip, {.shape = Capsule{{0, 0, -1}, {0, 0, 1}, static_cast<float>(Capstan::cylinder)},
                 .friction = static_cast<float>(friction)});
     const auto end = strip.vertices([](Vec2 p) { return p.x < 1e-6f; });
-    // At first it is held, so that it begins with the lengths that it has by theory.
+    // High friction holds the strip at first, so that it begins with the theory's lengths.
     constexpr float held = 100;
     strip.change([](ClothSettings& each) { each.friction = held; });
     strip.come_to_rest(10, 3, 1e-4f);

@@ -17,12 +17,12 @@ using std::numbers::pi;
 constexpr double table_radius = 0.09, disc_radius = 0.15;  // radii [m]
 
 struct Drape {
-    double coefficient;  ///< of the ring beyond the table, the part that still shades the floor
+    double coefficient;  ///< share of the ring beyond the table that still shades the floor
     int folds;           ///< the strongest wave of the rim's distance from the axis
     std::uint32_t vertices;
 };
 
-/// Of the shadow straight below, by rays through squares of 0.5 mm [m^2].
+/// Area of the shadow straight below, by rays through squares of 0.5 mm [m^2].
 double shadow_area(const Experiment& cloth) {
     constexpr int across = 720;
     constexpr double half = 0.18, square = 2 * half / across;
@@ -54,7 +54,7 @@ double shadow_area(const Experiment& cloth) {
     return static_cast<double>(std::ranges::count(dark, 1)) * square * square;
 }
 
-/// `rim`: vertices with their angles in the pattern, evenly spread.
+/// The strongest wave of the rim's distance from the axis. `rim`: vertices evenly spread in angle.
 int strongest_wave(const Experiment& cloth, const std::vector<std::uint32_t>& rim) {
     double most = 0;
     int best = 0;
@@ -74,8 +74,8 @@ int strongest_wave(const Experiment& cloth, const std::vector<std::uint32_t>& ri
     return best;
 }
 
-/// Over a table of 18 cm. Flat at first but for 0.2 mm, so that it is the test and not rounding that says
-/// where folds begin.
+/// Drapes a mesh over a table of 18 cm diameter. almost_flat() has bumps of 0.2 mm, so that the test and not
+/// rounding decides where folds begin.
 Drape hang(const Mesh& mesh, const ClothSettings& settings, double flat_area,
            const std::function<bool(Vec2)>& is_rim) {
     Experiment cloth(mesh, settings);
@@ -101,7 +101,7 @@ Drape drape_of(ForceModel model, double bending, std::uint32_t rings) {
     fabric.bending = static_cast<float>(bending);
     const ClothSettings settings = made_of(model, fabric);
     if (model != ForceModel::sheet) {
-        // Of the regular polygon that the rim is.
+        // Area of the regular polygon that the rim is.
         const double corners = 6 * rings,
                      flat = 0.5 * corners * disc_radius * disc_radius * std::sin(2 * pi / corners);
         return hang(disc_mesh(disc_radius, rings, almost_flat), settings, flat,
@@ -121,7 +121,7 @@ Drape drape_of(ForceModel model, double bending, std::uint32_t rings) {
                 [half](Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)) > half * 0.9999f; });
 }
 
-/// Known is what the finest of the resolutions finds, give or take a twentieth.
+/// The known value is that of the finest resolution, plus or minus 0.05.
 std::vector<Finding> resolutions(ForceModel model, double bending, const std::vector<std::uint32_t>& rings) {
     std::vector<Drape> drapes;
     for (const std::uint32_t each : rings) drapes.push_back(drape_of(model, bending, each));

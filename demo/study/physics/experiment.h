@@ -9,7 +9,7 @@
 
 namespace weft::study {
 
-/// Without air; one thread.
+/// World settings without air, for one thread.
 [[nodiscard]] WorldSettings in_vacuum(const Vec3& gravity = {0, -9.81f, 0});
 
 class Experiment {
@@ -17,15 +17,15 @@ class Experiment {
     static constexpr double gravity = 9.81;         ///< [m/s^2]
     static constexpr float usual_step = 1.0f / 60;  ///< [s]
 
-    /// In a vacuum. Throws std::runtime_error where a World refuses what it gets.
+    /// One cloth, by default in a vacuum. Throws std::runtime_error where a World refuses it or its settings.
     Experiment(Mesh mesh, const ClothSettings& cloth, const WorldSettings& settings = in_vacuum());
 
     void pin(const std::function<bool(Vec2)>& of_the_pattern);
     void step(float seconds = usual_step) { world_.step(seconds); }
-    /// Rounds to whole steps. `each` is called after every one.
+    /// Steps for this time, rounded to whole steps. `each` is called after every step.
     void run(double seconds, float step = usual_step, const std::function<void()>& each = {});
-    /// Until nothing moves faster than `still` [m/s], with velocities decaying at `damping` [1/s]. False: it
-    /// still did after `most_seconds`.
+    /// Steps until nothing moves faster than `still` [m/s], with velocities decaying at `damping` [1/s].
+    /// False: something still did after `most_seconds`.
     bool come_to_rest(double damping, double most_seconds = 30, float still = 2e-6f);
 
     [[nodiscard]] World& world() { return world_; }
@@ -37,11 +37,11 @@ class Experiment {
     [[nodiscard]] Vec3 at(std::uint32_t vertex) const;        ///< [m]
     [[nodiscard]] Vec3 velocity(std::uint32_t vertex) const;  ///< [m/s]
     [[nodiscard]] double mass(std::uint32_t vertex) const;    ///< of its particle [kg]; 0 where it is pinned
-    /// Of the vertices that are so in the pattern.
+    /// The vertices whose place in the pattern satisfies the predicate.
     [[nodiscard]] std::vector<std::uint32_t> vertices(const std::function<bool(Vec2)>& of_the_pattern) const;
-    /// Mean place of those vertices [m].
+    /// Mean position of these vertices [m].
     [[nodiscard]] Vec3 mean_place(const std::vector<std::uint32_t>& vertices) const;
-    /// Kinetic energy and that of height over y = 0, of all that is free [J].
+    /// Kinetic and gravitational energy (0 at y = 0) of all free particles [J].
     [[nodiscard]] double energy() const;
     [[nodiscard]] double rms_speed() const;  ///< weighted by mass [m/s]
 

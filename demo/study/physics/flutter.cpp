@@ -15,7 +15,7 @@ struct Flutter {
     double frequency;  ///< [Hz]
 };
 
-/// Of the middle of the free edge, from 4 to 12 s. The flag is 1 m long and 0.6 m wide.
+/// Flutter of the middle of the free edge, from 4 to 12 s. The flag is 1 m long and 0.6 m wide.
 Flutter flag(ForceModel model, std::uint32_t cells, double wind) {
     Fabric fabric;
     fabric.areal_density = 0.12f;
@@ -51,7 +51,7 @@ std::vector<Finding> winds(ForceModel model, std::uint32_t cells) {
         findings.push_back({"peak to peak" + at, "lengths", flutter.amplitude, 0.15, 0.4});
         findings.push_back({"f L / U" + at, "", flutter.frequency / wind});
         if (wind == 6) slowest = flutter.frequency;
-        // Experiments: the frequency grows with the wind, about in proportion.
+        // In experiments the frequency grows with the wind, about in proportion.
         if (wind == 10)
             findings.push_back(
                 {"frequency over that at 6 m/s", "", flutter.frequency / slowest, 1, 10.0 / 6 * 1.2});

@@ -32,7 +32,7 @@ std::array<double, size> integrate(std::array<double, size> y, double end, const
     return y;
 }
 
-/// Where `above` turns true.
+/// The value at which `above` turns true.
 template <class Above>
 double bisect(double low, double high, const Above& above) {
     for (int k = 0; k < 60; ++k) {
@@ -86,7 +86,7 @@ double lateral_buckling_gamma() {
 }
 
 double catenary_sag(double span, double length) {
-    // length = 2 a sinh(span / 2 a), the longer the smaller a.
+    // length = 2 a sinh(span / 2 a) grows as a shrinks.
     const double a = 1 / bisect(1e-6, 200 / span, [&](double inverse) {
                          return 2 / inverse * std::sinh(span * inverse / 2) > length;
                      });

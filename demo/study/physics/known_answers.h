@@ -1,5 +1,5 @@
 #pragma once
-// What theory says of cloth, as numbers. Units are SI; angles are radians unless a name says degrees.
+// Predictions of theory for cloth. Units are SI; angles are radians unless a name says degrees.
 
 namespace weft::study {
 
@@ -16,23 +16,23 @@ struct HangingStrip {
 /// Poisson's ratio 0: GJ phi'' + q^2 (L - x)^4 / (4 EI) phi = 0, GJ = 2 EI (Prandtl, Michell 1899).
 [[nodiscard]] double lateral_buckling_gamma();
 
-/// Of a chain of `length` between two points `span` apart at one height; length > span.
+/// Sag of a chain of `length` between two points `span` apart at one height; length > span.
 [[nodiscard]] double catenary_sag(double span, double length);
 
-/// Of a stiff plate that swings about its upper edge by `amplitude` to either side.
+/// Period of a stiff plate that swings about its upper edge by `amplitude` to either side.
 [[nodiscard]] double plate_pendulum_period(double length, double amplitude, double gravity);
-/// Of the first mode of a hanging chain, small: 4 pi / j_0,1 sqrt(length / gravity) (Bernoulli 1733).
+/// Period of a hanging chain's first mode, if small: 4 pi / j_0,1 sqrt(length / gravity) (Bernoulli 1733).
 [[nodiscard]] double chain_pendulum_period(double length, double gravity);
 
-/// Of a flat sheet that falls facing the air.
+/// Terminal speed of a flat sheet that falls facing the air.
 [[nodiscard]] double terminal_speed(double areal_density, double gravity, double air_density, double drag);
 
 /// The friction below which a strip over a horizontal cylinder of `radius` slips: `shorter` and `longer` hang
-/// down on its two sides. Capstan (Eytelwein 1808) with the weight of what lies on the cylinder:
+/// down on its two sides. Capstan equation (Eytelwein 1808) with the weight of the strip on the cylinder:
 /// dT/dphi = w r cos phi + mu (T + w r sin phi).
 [[nodiscard]] double capstan_friction(double shorter, double longer, double radius);
 
-/// Of what slides down a slope; 0 where friction holds it.
+/// Acceleration of a body that slides down a slope; 0 where friction holds it.
 [[nodiscard]] double slope_acceleration(double angle, double friction, double gravity);
 
 }  // namespace weft::study

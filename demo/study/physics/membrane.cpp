@@ -1,4 +1,4 @@
-// Stretch, shear and the catenary: what the membrane's stiffness is, as a tensile tester would find it.
+// Stretch, shear and the catenary: the membrane's stiffness, as a tensile tester would find it.
 
 #include <cmath>
 

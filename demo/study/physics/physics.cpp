@@ -1,4 +1,4 @@
-// Measured beside known: what the cloth's settings mean in the end.
+// weft_study physics: measured figures beside known ones.
 
 #include <chrono>
 #include <cstdio>

@@ -14,7 +14,7 @@ namespace weft::study {
 
 namespace {
 
-/// Errors below this are drawn there [%].
+/// Errors are clamped to this range [%].
 constexpr double least_shown = 0.1, most_shown = 300;
 
 constexpr std::array<const char*, 3> colours{"#1f77b4", "#d62728", "#2ca02c"};  // of force_models
@@ -25,7 +25,7 @@ struct Point {
     std::string model;
 };
 
-/// Test and quantity, in the order of the table, and the points of each.
+/// The lines of the chart: test and quantity, in the order of the table, and the points of all.
 struct Lines {
     std::vector<std::string> titles;
     std::vector<Point> points;

@@ -1,5 +1,5 @@
 #pragma once
-// The picture of what `weft_study physics` found.
+// The picture of a table that `weft_study physics` wrote.
 
 #include <filesystem>
 
@@ -7,8 +7,8 @@
 
 namespace weft::study {
 
-/// Writes physics.gnuplot, .svg and .png into `folder`: how far each figure is from what is known of it, the
-/// finest resolution of every force model. Throws std::runtime_error if gnuplot fails.
+/// Writes physics.gnuplot, .svg and .png into `folder`: the error of each figure by force model; finer meshes
+/// have larger marks. Throws std::runtime_error if gnuplot fails.
 void draw_physics(const CsvTable& table, const std::filesystem::path& folder);
 
 }  // namespace weft::study

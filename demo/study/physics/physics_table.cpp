@@ -8,7 +8,7 @@ namespace weft::study {
 
 namespace {
 
-/// Four digits, or a dash for what is not known.
+/// The number of a field with four digits, or a dash if it has none.
 std::string shown(const std::string& field) {
     const auto value = parse_number(field);
     if (!value) return "-";

@@ -8,13 +8,13 @@
 
 namespace weft::study {
 
-/// Of the CSV: a row for each finding.
+/// The columns of the CSV, which has a row for each finding.
 [[nodiscard]] const std::vector<std::string>& physics_columns();
 [[nodiscard]] bool is_physics_table(const CsvTable& table);
 
-/// What tells a test's rows from others'.
+/// The columns that identify a test's rows.
 [[nodiscard]] const std::vector<std::string>& physics_keys();
-/// `finding` may be null for the keys alone.
+/// The row of a finding; without a finding (null), the keys alone.
 [[nodiscard]] CsvRow physics_row(const PhysicsTest& test, const Finding* finding);
 
 /// Markdown: measured beside known, one line for each finding.

@@ -1,5 +1,5 @@
 #pragma once
-// Tests of physics: each measures cloth, and says what is known of it.
+// Tests of physics: each measures cloth, and holds the known values.
 
 #include <cstdint>
 #include <functional>
@@ -11,21 +11,21 @@
 
 namespace weft::study {
 
-/// One figure.
+/// One measured figure beside its known value.
 struct Finding {
     std::string quantity, unit;
     double measured = 0;
-    /// What is known of it, as a range; its ends are the same where it is one number. Not-a-number: nothing.
+    /// The known range; its ends are equal where one number is known. Not-a-number: nothing is known.
     double least = std::numeric_limits<double>::quiet_NaN(), most = least;
-    std::uint32_t cells = 0;  ///< where the test measures several resolutions; 0: its own
+    std::uint32_t cells = 0;  ///< vertices, where the test measures several resolutions; 0: it has one
 };
 
 [[nodiscard]] inline Finding finding(std::string quantity, std::string unit, double measured, double known) {
     return {std::move(quantity), std::move(unit), measured, known, known};
 }
 
-/// How far it is from what is known, over that: 0 within a range, beyond it from the nearer end; where 0 is
-/// known, the figure itself. Not-a-number where nothing is known.
+/// Relative error: 0 within the known range, beyond it the distance from the nearer end, over that end. The
+/// distance itself where that end is 0. Not-a-number where nothing is known.
 [[nodiscard]] double error_of(const Finding& finding);
 
 struct PhysicsTest {
@@ -44,7 +44,7 @@ struct PhysicsTest {
 [[nodiscard]] std::vector<PhysicsTest> contact_tests();
 [[nodiscard]] std::vector<PhysicsTest> flutter_tests();
 
-/// All of them, in that order.
+/// All tests, in that order.
 [[nodiscard]] std::vector<PhysicsTest> all_physics_tests();
 
 }  // namespace weft::study

@@ -31,7 +31,7 @@ Mesh sheet_mesh(const Strip& strip) {
     return mesh;
 }
 
-/// Columns of nodes whose odd ones are shifted by half a side, with half sides at their ends.
+/// Columns of nodes. Odd columns are shifted by half a side, and have half sides at their ends.
 Mesh triangle_mesh(const Strip& strip) {
     const double column = strip.length / strip.cells;
     const std::uint32_t across = number_of(strip.width / column * std::numbers::sqrt3 / 2);

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of cloth to be tested, as sheets and as meshes of triangles, and what is made of them.
+// Pieces of cloth to be tested, as sheets and as meshes of triangles, and their settings.
 
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace weft::study {
 
-/// What carries the fabric's stiffness, on which mesh.
+/// The model of the fabric's stiffness, and its mesh.
 enum class ForceModel {
     sheet,     ///< springs along a sheet's threads
     mesh,      ///< springs along the edges of a general mesh
@@ -19,10 +19,10 @@ enum class ForceModel {
 inline constexpr std::array force_models{ForceModel::sheet, ForceModel::mesh, ForceModel::elements};
 [[nodiscard]] const char* name_of(ForceModel model);
 
-/// In still nothing, by the default method: what a test wants other is set there.
+/// Settings without air damping, with the default method. Tests change what they need.
 [[nodiscard]] ClothSettings made_of(ForceModel model, const Fabric& fabric);
 
-/// Where a point of the pattern is in space.
+/// Maps a point of the pattern to space.
 using Place = std::function<Vec3(Vec2)>;
 
 /// A rectangle [0, length] x [0, width] of the pattern, warp along the length, in `cells` columns along it:
@@ -38,7 +38,7 @@ struct Strip {
 /// some part of its spacing, so that the mesh prefers no number of folds.
 [[nodiscard]] Mesh disc_mesh(double radius, std::uint32_t rings, const Place& place);
 
-/// A number from -1 to 1 that looks random, the same for the same `number`.
+/// A pseudo-random value from -1 to 1, always the same for the same `number`.
 [[nodiscard]] float noise(std::uint32_t number);
 
 }  // namespace weft::study

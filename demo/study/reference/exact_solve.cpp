@@ -9,8 +9,8 @@ namespace weft::study {
 
 namespace {
 
-// Hestenes and Stiefel 1952, with the preconditioned direction made conjugate by the formula of Polak and
-// Ribiere, which bears with a preconditioner that rounds (Golub and Ye 1999).
+// Hestenes and Stiefel 1952. The preconditioned direction is made conjugate by the formula of Polak and
+// Ribiere, which tolerates a preconditioner that rounds (Golub and Ye 1999).
 bool conjugate_gradients(const BlockMatrix::Sparse& matrix, const Eigen::VectorXd& b, double tolerance,
                          const Preconditioner& precondition, Eigen::VectorXd& x) {
     x.setZero(b.size());
@@ -61,7 +61,7 @@ MultigridCycle::MultigridCycle(Parallel& parallel, ImplicitSystem& system, std::
     rebuild();
 }
 
-// Scaled to the middle of the range that single precision has.
+// The residual is scaled to norm 1, the middle of the range of single precision.
 void MultigridCycle::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
     const double scale = r.norm();
     z.setZero(r.size());

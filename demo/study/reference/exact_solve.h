@@ -13,8 +13,8 @@ namespace weft::study {
 /// z = an approximation of W^-1 r.
 using Preconditioner = std::function<void(const Eigen::VectorXd& r, Eigen::VectorXd& z)>;
 
-/// With up to `direct_up_to` particles by a sparse factorisation L D L^T, whose pattern is analysed once;
-/// beyond, where that takes minutes, by preconditioned conjugate gradients.
+/// Solves systems of up to `direct_up_to` particles by a sparse factorisation L D L^T, whose pattern is
+/// analysed once. That takes minutes for larger ones, which are left to preconditioned conjugate gradients.
 class ExactSolve {
   public:
     static constexpr std::uint32_t usual_limit = 400;
@@ -23,8 +23,8 @@ class ExactSolve {
         : is_direct_(particles <= direct_up_to) {}
 
     [[nodiscard]] bool is_direct() const { return is_direct_; }
-    /// Solves matrix x = b; where it iterates, until |b - matrix x| <= tolerance |b|. False if the matrix is
-    /// found not to be positive definite.
+    /// Solves matrix x = b; conjugate gradients stop at |b - matrix x| <= tolerance |b|. False if the matrix
+    /// is found not to be positive definite.
     bool solve(const BlockMatrix& matrix, const Eigen::VectorXd& b, double tolerance,
                const Preconditioner& precondition, Eigen::VectorXd& x);
 
@@ -36,14 +36,14 @@ class ExactSolve {
     Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factor_;
 };
 
-/// The library's multigrid cycle on vectors in double precision. That it is computed in single precision
-/// bounds how much one cycle gains, not how far the iteration around it gets.
+/// The library's multigrid cycle on vectors in double precision. The cycle's own single precision limits the
+/// gain of one cycle, not the accuracy of the iteration around it.
 class MultigridCycle {
   public:
-    /// `system` is linearised; it is used by every call of apply().
+    /// Precondition: `system` is linearised. Every call of apply() uses it.
     MultigridCycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
-    /// The system has been linearised anew.
+    /// Call this whenever the system has been linearised anew.
     void rebuild() { multigrid_.build(parallel_, system_); }
     void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z);
 

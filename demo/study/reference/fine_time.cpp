@@ -13,7 +13,7 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-/// What the inner loop reads: springs slot by slot, positions and velocities component by component.
+/// Data of the inner loop: springs slot by slot, positions and velocities component by component.
 struct SpringLoop {
     const std::uint32_t* neighbours;
     const double *stiffness, *rest_lengths, *bending;
@@ -37,7 +37,7 @@ WEFT_STUDY_WIDEST void spring_forces(const SpringLoop& loop, std::uint32_t first
     const double *const u = loop.v[0], *const v = loop.v[1], *const w = loop.v[2];
     const double damping = loop.damping;
     double fx[lanes] = {}, fy[lanes] = {},
-           fz[lanes] = {};  // its own, so that nothing the loop reads can be in them
+           fz[lanes] = {};  // local, so that they cannot alias what the loop reads
     for (std::uint32_t slot = first; slot < last; ++slot) {
         const std::uint32_t* const neighbours = loop.neighbours + std::size_t{slot} * lanes;
         const double* const stiffness = loop.stiffness + std::size_t{slot} * lanes;
@@ -146,7 +146,7 @@ void FineTime::step(int substeps) {
     }
 }
 
-// x' and v + h a.
+// Computes x' and v + h a.
 void FineTime::predict(double h) {
     parallel_.ranges(particles_, [&](const BlockRange& range) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -183,7 +183,7 @@ void FineTime::compute_air() {
     });
 }
 
-// a' and v'. Blocks are whole groups.
+// Computes a' and v'. Blocks are whole groups of lanes.
 void FineTime::finish(double h) {
     static_assert(block_size % lanes == 0);
     const SpringLoop loop{neighbours_.data(),
@@ -213,8 +213,7 @@ void FineTime::finish(double h) {
     });
 }
 
-// The springs' frequencies rise a little where they are stretched, and a power iteration stops a little
-// short.
+// 1.1: stretched springs have slightly higher frequencies, and power iteration stops slightly short.
 int FineTime::safe_substeps(const StudyScene& scene) {
     const double frequency = 1.1 * stiffest_frequency(scene);
     const double rate = static_cast<double>(scene.cloth.fabric.damping) * frequency * frequency;

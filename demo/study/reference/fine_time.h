@@ -1,5 +1,5 @@
 #pragma once
-// Reference B: the same cloth in double precision and in time steps so small that time no longer matters.
+// Reference B: the same cloth in double precision, in time steps so small that their error does not matter.
 
 #include <array>
 #include <cstdint>
@@ -17,9 +17,9 @@ namespace weft::study {
 /// With damping rate c it is stable for h c < 1, without for h omega < 2.
 class FineTime {
   public:
-    static constexpr std::uint32_t lanes = 8;  ///< particles that are computed side by side
+    static constexpr std::uint32_t lanes = 8;  ///< particles that are computed together
 
-    /// The scene's cloth, as Run puts it into its first frame. No method is involved.
+    /// Starts with the scene's cloth as Run places it before its first frame. No method is involved.
     FineTime(const StudyScene& scene, int threads);
 
     /// Advances by one frame in `substeps` steps.
@@ -47,7 +47,7 @@ class FineTime {
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> corner_offsets_, corner_triangles_;
     std::vector<std::uint32_t> group_slots_, neighbours_;     // [slot * lanes + lane]
-    std::vector<double> stiffness_, rest_lengths_, bending_;  // 0, 1 and 0 where a slot is not used
+    std::vector<double> stiffness_, rest_lengths_, bending_;  // 0, 1 and 0 as padding of unused slots
     std::uint32_t particles_;
     Component inverse_masses_;  // 0: pinned
     Components x_, v_, predicted_, a_, air_;

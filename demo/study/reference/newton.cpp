@@ -9,7 +9,7 @@ namespace weft::study {
 namespace {
 
 constexpr std::size_t most_iterations = 1000;
-constexpr std::size_t most_in_vain = 20;  // that do not halve the residual
+constexpr std::size_t most_in_vain = 20;  // iterations that do not halve the residual
 
 /// The step length in (0, 1] that lowers the functional enough (Armijo 1966). Near the solution, where
 /// differences of the functional drown in rounding, it is 1.
@@ -87,8 +87,8 @@ void Newton::precondition_at(const SolverStep& step, const Flat& v) {
         cycle_.emplace(step.parallel, *system_, step.equation.positions);
 }
 
-// While far from the solution the linear system need not be solved further than its model holds (Eisenstat
-// and Walker 1996); there the exact matrix is seldom positive definite, either.
+// Far from the solution the linear system need not be solved further than its model holds (Eisenstat and
+// Walker 1996). The exact matrix is seldom positive definite there.
 Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Flat& residual, double left) {
     const auto cycle = [&](const Flat& r, Flat& z) { cycle_->apply(r, z); };
     Flat step;

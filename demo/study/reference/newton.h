@@ -13,21 +13,20 @@
 namespace weft::study {
 
 struct NewtonResult {
-    Flat velocities;  ///< those of the least residual
-    std::vector<double>
-        residuals;  ///< norm at the start, nearby if it set out from there, after each iteration
+    Flat velocities;                ///< velocities of the least residual
+    std::vector<double> residuals;  ///< norms: at the start, at `nearby` if used, after each iteration
     bool converged = false;
 };
 
 /// Newton's method with line search on the functional, until the residual is below a tolerance times the
-/// first. The matrix is exact where that makes it positive definite, else projected: near the solution it
-/// converges quadratically, and far from it, always downhill.
+/// first. The Hessian is exact where that is positive definite, otherwise projected. So convergence is
+/// quadratic near the solution, and steps far from it go downhill.
 class Newton {
   public:
-    /// What is solved by iteration is preconditioned with the library's multigrid.
+    /// Systems of more than `direct_up_to` particles are preconditioned with the library's multigrid.
     Newton(const SolverStep& step, const StepFunctional& functional,
            std::uint32_t direct_up_to = ExactSolve::usual_limit);
-    /// `nearby`: velocities from which to set out, should their residual be less than that of the start.
+    /// `nearby`: velocities to start from, if their residual is less than that of the step's start.
     [[nodiscard]] NewtonResult minimise(const SolverStep& step, const StepFunctional& functional,
                                         double tolerance, const Flat& nearby = {});
 
@@ -38,19 +37,19 @@ class Newton {
 
     BlockMatrix matrix_;
     ExactSolve exact_solve_;
-    // Only where systems are solved by iteration.
+    // The preconditioner, only where systems are solved by iteration.
     std::unique_ptr<ImplicitSystem> system_;
     std::optional<MultigridCycle> cycle_;
     AlignedBuffer<Vec4> velocities_;
 };
 
-/// Reference A as a method of the frame, so that it meets the same wind, pins and time scheme as all others.
-/// Large cloths are brought near the solution in single precision, by the library's multilevel method with
-/// many passes: far from it, double precision is lost time. The largest are left there: a sheet of 64 x 64
-/// is then less than a millimetre from A after 0.5 s, and after 1 s within what buckling leaves open.
+/// Reference A as a solver of the library's step, with the same wind, pins and time scheme as all others.
+/// Large cloths approach the solution in single precision first, by the library's multilevel method with
+/// many passes: far from it, double precision is lost time. The largest stop there: a sheet of 64 x 64 is
+/// then less than a millimetre from A after 0.5 s, and after 1 s within what buckling leaves open.
 class ConvergedSolver final : public Solver {
   public:
-    static constexpr double converged = 1e-8;                    ///< of the first residual
+    static constexpr double converged = 1e-8;                    ///< residual over the first residual
     static constexpr std::uint32_t largest_for_newton = 20'000;  ///< particles
 
     ConvergedSolver(const ClothModel& model, const ClothSettings& settings, double tolerance = converged);
@@ -60,7 +59,7 @@ class ConvergedSolver final : public Solver {
     [[nodiscard]] std::size_t bytes() const noexcept override { return 0; }
 
   private:
-    /// Velocities near the solution; none for small cloths, and where there are none.
+    /// Velocities near the solution; none for small cloths, and none if the multilevel method fails.
     [[nodiscard]] Flat approach(const SolverStep& step);
 
     double tolerance_;

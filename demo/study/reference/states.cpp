@@ -15,9 +15,9 @@ namespace weft::study {
 
 namespace {
 
-constexpr std::uint64_t file_version = 2;  // of what references compute, too: raise it where they change
+constexpr std::uint64_t file_version = 2;  // raise it when the format or the references' results change
 
-/// Of everything that the states depend on, and of the order in which particles lie in them.
+/// Hash of everything that the states depend on, and of the order of particles in them.
 std::uint64_t fingerprint(const StudyScene& scene, Reference reference, const std::vector<int>& frames) {
     const Fabric& fabric = scene.cloth.fabric;
     const Wind& wind = scene.world.wind;
@@ -68,7 +68,7 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const StudySc
     return folder / (scene.name + size + "-" + name_of(reference) + "-" + hash + ".states");
 }
 
-/// The states as they lie in memory, frame after frame. None if the file is not whole.
+/// Reads states as they lie in memory, frame after frame. None if the file is not complete.
 States read(const std::filesystem::path& file, const std::vector<int>& frames, std::size_t particles) {
     const std::size_t bytes = particles * sizeof(Eigen::Vector3d);
     std::error_code none;
@@ -83,7 +83,7 @@ States read(const std::filesystem::path& file, const std::vector<int>& frames, s
     return in ? states : States{};
 }
 
-/// Under another name first, so that a stop leaves no half file.
+/// Writes under another name first, so that a stop leaves no incomplete file.
 void write(const std::filesystem::path& file, const States& states) {
     std::filesystem::create_directories(file.parent_path());
     const std::filesystem::path unfinished = file.string() + ".part";

@@ -13,7 +13,7 @@
 
 namespace weft::study {
 
-/// Files of states know them by their numbers: new ones go to the end.
+/// The references. Names of state files depend on these numbers: new ones go to the end.
 enum class Reference {
     converged,       ///< A: backward Euler at the frame's step, solved to convergence
     linearised,      ///< A1: its single linearisation about the base, solved exactly
@@ -22,19 +22,19 @@ enum class Reference {
     rough,           ///< as A, to a thousandth of the residual: for states to step from
     elements,        ///< as A, of finite elements, by many multilevel passes
 };
-/// Those that trajectories are compared with.
+/// The references that trajectories are compared with.
 inline constexpr std::array all_references{Reference::converged, Reference::linearised,
                                            Reference::converged_bdf2, Reference::fine_time,
                                            Reference::elements};
 [[nodiscard]] std::string name_of(Reference reference);
 
-/// Positions after so many frames.
+/// Positions by the number of frames since the start.
 using States = std::map<int, Positions>;
 
 /// Root mean square of the distances between particles [m].
 [[nodiscard]] double rms_distance(const Positions& a, const Positions& b);
 
-/// The method of a reference that is stepped by the frame: all but fine_time.
+/// The method of a reference that the library's step runs: all but fine_time.
 [[nodiscard]] MethodPoint method_of(Reference reference);
 
 class ReferenceStore {

@@ -6,8 +6,8 @@
 // is the stationary point of
 //     E(v) = 1/2 |v - v_base|^2_M + U(x_base + gamma v) - gamma (gravity, air) . v + D(v)
 // (Martin et al. 2011, "Example-based elastic materials", for the form). The springs' damping force c s n,
-// with s = dl/dt along the direction n, has no potential. D has its force at one state, and beside that state
-// its slope but for the turning of n with s, which is not symmetric:
+// with s = dl/dt along the direction n, has no potential. D has its force at one state, and near that state
+// its slope without the part of n's rotation with s, which is not symmetric:
 //     D(v) = c s0 l(v) + 1/2 gamma c (n0 . (v_j - v_i) - s0)^2
 // So E has the equation's residual as its gradient where s0 and n0 are those of v itself.
 
@@ -20,12 +20,12 @@
 
 namespace weft::study {
 
-/// A spring between two particles, the smaller first, and what bends between them.
+/// A spring between two particles, the smaller index first, and the bending between them.
 struct Spring {
     std::uint32_t i, j;
     double stiffness;    ///< [N/m]
     double rest_length;  ///< [m]
-    double bending;      ///< the weight that bending has between the two [N/m]
+    double bending;      ///< weight of bending between the two [N/m]
 };
 [[nodiscard]] std::vector<Spring> springs_of(const ClothModel& model, const Fabric& fabric);
 [[nodiscard]] std::vector<ParticlePair> pairs_of(std::span<const Spring> springs);
@@ -34,13 +34,13 @@ struct Spring {
 using Flat = Eigen::VectorXd;
 [[nodiscard]] Flat flat(std::span<const Vec4> values);
 
-/// Where a spring's damping is taken.
+/// The state at which a spring's damping is evaluated.
 struct DampedState {
     Eigen::Vector3d direction;  ///< n0
     double stretching;          ///< s0 [m/s]
 };
 
-/// What the matrix takes for the stiffness of a compressed spring across its direction.
+/// The Hessian's stiffness of a compressed spring across its direction.
 enum class Curvature {
     exact,      ///< negative: Newton's matrix, which can be indefinite
     projected,  ///< zero: Kang's safe derivative, positive definite
@@ -55,9 +55,9 @@ class StepFunctional {
     /// Velocities at the start, from which solvers set out.
     [[nodiscard]] const Flat& start() const { return start_; }
 
-    /// What the dampings are at `v`, spring by spring.
+    /// The damping states of all springs at `v`.
     [[nodiscard]] std::vector<DampedState> damped_states(const Flat& v) const;
-    /// E with the dampings of those states.
+    /// E with damping evaluated at these states.
     [[nodiscard]] double value(const Flat& v, std::span<const DampedState> damped) const;
     /// gamma f - M (v - v_base) = -dE/dv, 0 for pinned particles.
     [[nodiscard]] Flat residual(const Flat& v) const;

@@ -16,7 +16,7 @@ std::vector<ParticlePair> pairs_of(const ClothModel& model) {
     return pairs;
 }
 
-/// a I + d d^T.
+/// A spring's block a I + d d^T, with a in w.
 Eigen::Matrix3d block_of(const Vec4& spring) {
     const Eigen::Vector3d d = xyz(spring).cast<double>();
     return static_cast<double>(spring.w) * Eigen::Matrix3d::Identity() + d * d.transpose();

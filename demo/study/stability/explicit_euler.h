@@ -1,5 +1,5 @@
 #pragma once
-// The textbook's first integrator, which nobody should ship: for the stability maps only.
+// Explicit Euler, for the stability maps only.
 
 #include "cloth/methods/explicit/symplectic_euler.h"
 
@@ -12,8 +12,8 @@ namespace weft::study {
 /// whose roots are within the unit circle for h <= c / omega^2 if the mode swings (c < 2 omega), and for h <=
 /// 4 / (c + sqrt(c^2 - 4 omega^2)) if it creeps. Without damping it gains energy at any step.
 ///
-/// The frame moves positions by the new velocities. So that it moves them by the old ones, the forces of each
-/// step are handed over in the next: the velocities that the cloth shows are those of one step ago.
+/// The library's step moves positions by the new velocities. The forces of each step are applied in the next,
+/// so that positions move by the old velocities. The cloth's velocities are therefore those of one step ago.
 class ExplicitEulerSolver final : public Solver {
   public:
     ExplicitEulerSolver(const ClothModel& model, const ClothSettings& settings);

@@ -66,7 +66,7 @@ class Maps {
         return sheet;
     }
 
-    /// In substeps of an explicit method.
+    /// Estimated cost in substeps of an explicit method.
     static double cost(const StabilityPoint& point) {
         const bool solves = point.family == Family::newton || point.family == Family::one_linearisation;
         const double linear_system = point.method.make_solver ? 150 : 20;
@@ -79,7 +79,7 @@ class Maps {
         return sum;
     }
 
-    /// False if the table held all of its cells.
+    /// Measures the cells that the table lacks. False if it held all.
     bool run_map(const StabilityPoint& point, Start start) {
         std::vector<Cell> cells = cells_left(point, start);
         for (const Cell& cell : cells) hang_at(cell.stiffness);
@@ -92,7 +92,7 @@ class Maps {
         return !cells.empty();
     }
 
-    /// The longest first, so that threads end together.
+    /// The cells that the table lacks. Costly ones (short steps) come first, so that threads end together.
     std::vector<Cell> cells_left(const StabilityPoint& point, Start start) const {
         std::vector<Cell> cells;
         for (const int hz : axes_.hz) {
@@ -108,7 +108,7 @@ class Maps {
         if (!hangs_.contains(stiffness)) hangs_[stiffness] = still_hang(sheet_, stiffness);
     }
 
-    /// Of D^-1 W, for steps of the whole frame.
+    /// Largest eigenvalue of D^-1 W, for steps of the whole frame.
     static double largest_eigenvalue_at(const StabilitySheet& sheet, const Cell& cell) {
         StudyScene scene = stability_scene(sheet, Start::flat, cell.stiffness);
         scene.frame = static_cast<float>(1.0 / cell.hz);

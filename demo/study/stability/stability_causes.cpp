@@ -36,12 +36,12 @@ const CsvRow* same_cell(const CsvTable& table, const CsvRow& row, const std::str
     return found == table.rows.end() ? nullptr : &*found;
 }
 
-/// Of springs, whose damping is in proportion to their stiffness: c = beta omega^2 in a mode, and the drag of
-/// stability_scene.
+/// Damping rates: beta is that of springs in proportion to their stiffness, c = beta omega^2 in a mode; drag
+/// is stability_scene()'s [1/s].
 constexpr double drag = 3;
 const auto beta = static_cast<double>(Fabric{}.damping);
 
-/// See ExplicitEulerSolver: the longest step at which no mode grows.
+/// The longest step at which no mode grows [s] (see ExplicitEulerSolver).
 double explicit_bound(double omega) {
     const double swinging = std::min(omega, 2 / beta);
     const double bound = beta + drag / (swinging * swinging);
@@ -49,7 +49,7 @@ double explicit_bound(double omega) {
     return discriminant < 0 ? bound : std::min(bound, 4 / (c + std::sqrt(discriminant)));
 }
 
-/// Beyond the bounds of the sheet at rest.
+/// The cause of a failure that the linear bounds of the sheet at rest do not explain.
 std::string nonlinear_cause(const CsvRow& row) {
     if (row.at("start") == "collapsed") return "springs squeezed to a point turn within one step";
     return "modes across taut springs are damped by drag alone, which is too little for this step";
@@ -61,8 +61,8 @@ std::string explicit_cause(const CsvRow& row) {
     return "the step is longer than damping makes up for: h > c / omega^2 in modes that swing";
 }
 
-/// A step of a mode has the determinant 1 - h c and the trace 2 - h c - h^2 omega^2: it stays within the unit
-/// circle while h^2 omega^2 + 2 h c < 4.
+/// A step of a mode has the determinant 1 - h c and the trace 2 - h c - h^2 omega^2: its eigenvalues stay
+/// within the unit circle while h^2 omega^2 + 2 h c < 4.
 std::string symplectic_cause(const CsvRow& row) {
     const double h_omega = value(row, "h_omega");
     if (h_omega * h_omega * (1 + 2 * beta / value(row, "h_s")) < 4) return nonlinear_cause(row);
@@ -78,8 +78,8 @@ bool exact_steps_fail_alike(const CsvRow& row, const CsvTable& table) {
                                [&](const char* name) { return !broke(row, name) || broke(*exact, name); });
 }
 
-/// Where an exact solution of the same linear system breaks the same tolerance, the linearisation is to
-/// blame, else what the solver has left.
+/// The linearisation is the cause if an exact solution of the same linear system breaks the same tolerances.
+/// Otherwise the cause is `left`, the error that the solver leaves.
 std::string linear_cause(const CsvRow& row, const CsvTable& table, const std::string& left) {
     if (row.at("verdict") != word(Verdict::wrong) || !exact_steps_fail_alike(row, table)) return left;
     if (broke(row, "height"))
@@ -105,7 +105,7 @@ std::string cell_name(const CsvRow& row) {
     return "x " + row.at("stiffness") + " at 1/" + row.at("hz") + " s";
 }
 
-/// Cells that fail alike.
+/// Cells that fail for the same cause: their number, and the first.
 struct Failing {
     int cells = 0;
     const CsvRow* first = nullptr;

@@ -1,5 +1,5 @@
 #pragma once
-// Why cells of the stability maps fail, told from what was measured in them.
+// The causes for which cells of the stability maps fail, derived from their measurements.
 
 #include <filesystem>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace weft::study {
 
-/// Of a row of the table that is not stable, in a sentence.
+/// The cause of a row that is not stable, as a sentence.
 [[nodiscard]] std::string cause_of(const CsvRow& row, const CsvTable& table);
 
-/// Per method: cells by verdict, and the causes of those that are not stable, as stability-causes.txt.
+/// Writes stability-causes.txt: for each method cells by verdict, and the causes of those not stable.
 void write_causes(const CsvTable& table, const std::filesystem::path& folder);
 
 }  // namespace weft::study

@@ -56,13 +56,13 @@ double height(const Cloth& cloth) {
     return sum / mass;
 }
 
-/// Whether the last solve left a number that is none, which the state before a restore would hold.
+/// Whether the last solve left a velocity that is not finite, which the restored state no longer shows.
 bool is_broken(const Cloth& cloth) {
     return std::ranges::any_of(cloth.scratch_velocities.span(),
                                [](const Vec4& v) { return !xyz(v).allFinite(); });
 }
 
-/// So that a frame is one substep, and the state is looked at after each.
+/// The method with one substep a frame, so that the state is checked after each substep.
 MethodPoint by_single_substeps(MethodPoint point) {
     point.configure = [configure = point.configure](ClothSettings& settings) {
         configure(settings);

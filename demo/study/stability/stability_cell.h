@@ -9,7 +9,7 @@
 
 namespace weft::study {
 
-/// Where the particles of a sheet hung by two corners start, at rest.
+/// Start positions of the particles of a sheet hung by two corners, at rest.
 enum class Start {
     flat,       ///< horizontal, but for a bump of 0.1 mm
     crumpled,   ///< flat, each free particle off by up to 5 mm on each axis
@@ -17,24 +17,24 @@ enum class Start {
 };
 inline constexpr Start starts[] = {Start::flat, Start::crumpled, Start::collapsed};
 [[nodiscard]] std::string name_of(Start start);
-/// Throws std::runtime_error if there is none.
+/// The start of this name. Throws std::runtime_error if there is none.
 [[nodiscard]] Start start_named(const std::string& name);
 /// Without collisions, a collapsed sheet comes to rest in a tangle that its springs cannot undo: its stretch
 /// may differ more from the hang's, and its height says nothing.
 [[nodiscard]] Tolerance tolerance_of(Start start);
 
-/// What all cells of a map share.
+/// The sheet and the time that all cells of a map share.
 struct StabilitySheet {
     std::uint32_t per_side = 24;
     double seconds = 2;
 };
 
-/// The sheet still hanging.
+/// The sheet at rest as it hangs.
 struct Hang {
     double energy = 0, stretch = 0, height = 0;  ///< as in RunMeasures
 };
-/// Where exact linearly implicit steps come to rest after 4 s. Beyond 100 times the default, where they would
-/// need longer, stretch is in inverse proportion to stiffness, and all else stays.
+/// The state of rest that exact linearly implicit steps reach after 4 s. Beyond 100 times the default they
+/// would need longer: there stretch is scaled from 100 times in inverse proportion to stiffness.
 [[nodiscard]] Hang still_hang(const StabilitySheet& sheet, double stiffness);
 
 /// The scene, its fabric `stiffness` times stiffer than the default. Drag takes 3 of the velocity per second,
@@ -42,7 +42,7 @@ struct Hang {
 [[nodiscard]] StudyScene stability_scene(const StabilitySheet& sheet, Start start, double stiffness);
 
 /// Runs one cell with a frame of `step` seconds. Substeps are taken one by one, and the run ends at the first
-/// after which the World would have restored the state.
+/// after which the World has restored the state.
 [[nodiscard]] RunMeasures measure_cell(const StabilitySheet& sheet, const MethodPoint& point, Start start,
                                        double stiffness, double step, const Hang& hang);
 

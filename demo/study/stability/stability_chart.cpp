@@ -14,11 +14,11 @@ namespace {
 
 using Rows = std::vector<const CsvRow*>;
 
-// Lightness tells them apart for colour-blind eyes too.
+// Colours of the verdicts, which also differ in lightness, for colour-blind eyes.
 constexpr std::array<unsigned, verdict_count> colours{0x58b08a, 0xf6d36b, 0xc6453f, 0x2b1a33};
 constexpr unsigned grey = 0x666666;
 
-/// In pixels.
+/// Maps in a row, and lengths in pixels.
 constexpr int map_columns = 5;
 constexpr double map_width = 208, cell_height = 26, map_gap = 16, left = 74, top = 84, map_top = 24,
                  row_gap = 22, legend_line = 21;
@@ -33,7 +33,7 @@ std::vector<std::string> values(const Rows& rows, const std::string& column) {
     return found;
 }
 
-/// Those numbers, descending: from the upper edge of a map, and from the shortest step.
+/// These values as numbers, descending: from the upper edge of a map, and from the shortest step.
 std::vector<double> ticks(const Rows& rows, const std::string& column) {
     std::vector<double> found;
     for (const std::string& value : values(rows, column)) found.push_back(parse_number(value).value());

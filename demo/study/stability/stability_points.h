@@ -1,5 +1,5 @@
 #pragma once
-// The methods that have a stability map, those among them that are known to fail.
+// The methods that have a stability map, among them some that are known to fail.
 
 #include <functional>
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace weft::study {
 
-/// What kind of reasons a method can have to fail.
+/// Methods grouped by the reasons for which they can fail.
 enum class Family { explicit_euler, symplectic_euler, relaxation, one_linearisation, newton, positional };
 [[nodiscard]] std::string name_of(Family family);
 
 struct StabilityPoint {
     MethodPoint method;
     Family family;
-    /// Of relaxations: what a solve leaves of an error in a mode with this eigenvalue of D^-1 W.
+    /// For relaxations: share of an error that a solve leaves in a mode with this eigenvalue of D^-1 W.
     std::function<double(double)> left_of = {};
 };
 
-/// In the order in which their maps are drawn. The first is what Weft does if it is told nothing.
+/// All points in the order in which their maps are drawn. The first is the library's default.
 [[nodiscard]] std::vector<StabilityPoint> stability_points();
 
 }  // namespace weft::study

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<const char*, verdict_count> words{"stable", "wrong", "diverged", "nan"};
 
-/// Written so that not-a-number is not within.
+/// Whether a value is at most the limit; false for not-a-number.
 bool is_within(double value, double limit) {
     return value <= limit;
 }

@@ -1,15 +1,15 @@
 #pragma once
-// What a run from a hard start amounts to: one of four words.
+// The verdict on a run from a hard start: one of four words.
 
 #include <string>
 
 namespace weft::study {
 
-/// What was seen of a run, and what the same cloth does when it hangs still.
+/// Measures of a run, and of the same cloth as it hangs still.
 struct RunMeasures {
     bool not_a_number = false;  ///< a velocity stopped being a finite number while all positions still were
     bool ran_away = false;      ///< a particle went beyond runaway_distance
-    double lasted = 0;          ///< [s]; until one of the two, else all of the run
+    double lasted = 0;          ///< time until one of the two, otherwise all of the run [s]
 
     double start_energy = 0;  ///< kinetic, elastic and of gravity [J]
     double peak_energy = 0;   ///< highest after any step
@@ -19,15 +19,15 @@ struct RunMeasures {
 
     double hang_energy = 0, hang_stretch = 0, hang_height = 0;
 
-    /// What the start had to lose: the unit in which a gain is judged.
+    /// The start's energy above the still hang's: the unit in which a gain is judged.
     [[nodiscard]] double available_energy() const { return start_energy - hang_energy; }
     [[nodiscard]] double energy_rise() const { return (peak_energy - start_energy) / available_energy(); }
     [[nodiscard]] double energy_gain() const { return (end_energy - start_energy) / available_energy(); }
 };
 
-/// How far a run may be from what cloth does. Nothing puts energy into the scene: it may only fall.
+/// Tolerances of a run. Nothing puts energy into the scene, so that energy may only fall.
 struct Tolerance {
-    double energy_rise = 0.1;  ///< above the start's, over what the start had to lose
+    double energy_rise = 0.1;  ///< above the start's, over available_energy()
     double stretch = 0.01;     ///< mean, from that of the still hang
     double height = 0.1;       ///< of the centre of mass, from that of the still hang [m]
 };
@@ -49,11 +49,11 @@ struct Judgement {
 };
 
 /// Mean stretch beyond which a run that has gained energy counts as diverged: three times the cloth's length.
-/// Below lie steady sags of solvers that gravity outruns.
+/// Solvers that gravity outruns sag steadily by less.
 inline constexpr double torn_stretch = 2;
 
-/// Diverged: ran away, or ended both torn and with more energy than the start's by all that it had to lose.
-/// Wrong: none of it, but a tolerance is broken.
+/// Diverged: ran away, or ended both torn and with more than available_energy() above the start's energy.
+/// Wrong: not diverged, but a tolerance is broken.
 [[nodiscard]] Judgement judge(const RunMeasures& run, const Tolerance& tolerance);
 
 }  // namespace weft::study

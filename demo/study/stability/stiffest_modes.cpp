@@ -76,7 +76,7 @@ double chebyshev_polynomial(int n, double x) {
 
 }  // namespace
 
-// Of M^-1 K: with gamma = 1 and no damping W = M + K.
+// The eigenvalue is that of M^-1 K: with gamma = 1 and no damping W = M + K.
 double stiffest_frequency(const StudyScene& scene) {
     FlatSystem system(scene, 1, 0);
     return std::sqrt(system.largest_eigenvalue([&](AlignedBuffer<Vec4>& x, AlignedBuffer<Vec4>& y) {

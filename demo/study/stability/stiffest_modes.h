@@ -1,5 +1,5 @@
 #pragma once
-// The numbers that decide what explicit steps and relaxations do to stiff cloth, measured by power iteration.
+// The eigenvalues that decide whether explicit steps and relaxations are stable, by power iteration.
 
 #include "demo/study/run.h"
 
@@ -11,13 +11,13 @@ namespace weft::study {
 /// Largest eigenvalue of D^-1 W of the flat sheet at the scene's frame.
 [[nodiscard]] double largest_relaxed(const StudyScene& scene);
 
-/// What k Jacobi iterations leave of an error in a mode of D^-1 W with eigenvalue lambda (Kang's first guess
-/// is the first of k + 1): (1 - lambda)^(k + 1).
+/// Share of an error that k Jacobi iterations leave in a mode of D^-1 W with eigenvalue lambda (Kang's first
+/// guess is the first of k + 1): (1 - lambda)^(k + 1).
 [[nodiscard]] double left_by_jacobi(int iterations, double lambda);
-/// The same of Chebyshev's on an interval.
+/// The same share for Chebyshev iterations on an interval.
 [[nodiscard]] double left_by_chebyshev(int iterations, double least, double largest, double lambda);
-/// Backward Euler feeds a stiff mode of whose error this or less is left by each solve: then x += h v, v +=
-/// (1 - p)(-v - x / h) has the amplification p - sqrt(p (p - 1)) < -1.
+/// Backward Euler amplifies a stiff mode if each solve leaves this share p of its error, or less: x += h v,
+/// v += (1 - p)(-v - x / h) has the amplification p - sqrt(p (p - 1)) < -1.
 inline constexpr double feeding_part = -1.0 / 3;
 
 }  // namespace weft::study

@@ -9,7 +9,7 @@ cmake_path(NORMAL_PATH sysroot)
 if(NOT EXISTS ${sysroot}/is_whole)
   execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/sysroot arm64 ${sysroot} COMMAND_ERROR_IS_FATAL ANY)
 endif()
-# What is headers alone, the system's own package has.
+# Header-only libraries come from the system's own packages.
 set(CMAKE_FIND_ROOT_PATH ${sysroot}/usr ${sysroot})
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

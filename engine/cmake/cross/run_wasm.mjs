@@ -1,4 +1,4 @@
-// node run_wasm.mjs PROGRAM.wasm [arguments]: runs it, with the files of this machine.
+// node run_wasm.mjs PROGRAM.wasm [arguments] runs the program with access to this machine's files.
 import { readFile } from 'node:fs/promises';
 import { WASI } from 'node:wasi';
 

@@ -1,5 +1,5 @@
-# For WebAssembly, by clang and WASI's standard library; tests run under node. Debian's emscripten cannot: its C++ library, of LLVM 13,
-# has not the algorithms of ranges. What this makes runs in a browser, too, as demo/web shows.
+# For WebAssembly, by clang and WASI's standard library; tests run under node. Debian's emscripten cannot build Weft: its C++ library,
+# of LLVM 13, lacks the algorithms of ranges. The programs run in a browser, too, as demo/web shows.
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 set(CMAKE_SYSTEM_NAME WASI)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)

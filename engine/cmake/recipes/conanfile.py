@@ -42,7 +42,7 @@ class Weft(ConanFile):
         for part in ("RENDER", "DEMO", "TESTS"):
             toolchain.cache_variables["WEFT_BUILD_" + part] = False
         toolchain.generate()
-        packages = CMakeDeps(self)  # Highway as its own build calls it
+        packages = CMakeDeps(self)  # under the names of Highway's own build
         packages.set_property("highway", "cmake_file_name", "hwy")
         packages.set_property("highway", "cmake_target_name", "hwy::hwy")
         packages.generate()

@@ -18,18 +18,18 @@ enum class ErrorCode : std::uint8_t {
     malformed_file,    ///< a file whose content breaks its format
     out_of_memory,     ///< the system refused memory
     unsupported,       ///< the system lacks what is needed: a display, OpenGL 3.3
-    cancelled,         ///< the host's own callback said so
+    cancelled,         ///< the host's own callback asked for it
 };
 
-/// What went wrong. The message names the offending value and what would be right.
+/// An error's code, and a message that names the offending value and what would be right.
 struct Error {
     ErrorCode code = ErrorCode::invalid_argument;
     std::string message;
 };
 
 namespace detail {
-/// Ends the process, in release builds too, once Hooks::failed_assertion or standard error has the error's
-/// message: whoever reads the value of a Result that holds an Error would go on with none.
+/// Ends the process, in release builds too, after Hooks::failed_assertion or standard error has received the
+/// error's message: a caller that reads the value of a Result that holds an Error would go on without one.
 [[noreturn]] WEFT_API void fail_value(const Error& error) noexcept;
 /// The same for the error of a Result that holds none.
 [[noreturn]] WEFT_API void fail_error() noexcept;
@@ -75,7 +75,7 @@ class [[nodiscard]] Result {
     std::variant<T, Error> content_;
 };
 
-/// A T that is kept elsewhere, or an Error: what is read of it outlives the Result.
+/// A reference to a T that is kept elsewhere and outlives the Result, or an Error.
 template <class T>
 class [[nodiscard]] Result<T&> {
   public:

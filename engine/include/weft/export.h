@@ -1,7 +1,7 @@
 #pragma once
-/* What leaves Weft's library, shared or part of another. C and C++. WEFT_SHARED is defined by the build of
-   Weft as a shared library, and by what links that (weft::weft and weft.pc say so); WEFT_BUILDING by the
-   former alone. */
+/* Symbols that Weft's library exports, as a shared library or as part of another one. C and C++.
+   WEFT_SHARED is defined by the build of Weft as a shared library, and by builds that link it (by weft::weft
+   and weft.pc); WEFT_BUILDING by the former alone. */
 
 #if defined(WEFT_SHARED) && defined(_WIN32)
 #if defined(WEFT_BUILDING)
@@ -15,7 +15,7 @@
 #define WEFT_API
 #endif
 
-/* Of a class within one that leaves. */
+/* A class within an exported one, whose own symbols stay in the library. */
 #if defined(__GNUC__) && !defined(_WIN32)
 #define WEFT_LOCAL __attribute__((visibility("hidden")))
 #else

@@ -8,11 +8,11 @@ namespace weft {
 
 struct FixedStepSettings {
     double step = 1.0 / 60.0;  ///< length of one simulation step [s], > 0
-    /// >= 1; time beyond it is dropped, so that a slow frame does not cause a slower one.
+    /// Most steps a frame, >= 1; time beyond it is dropped, so that a slow frame does not cause a slower one.
     int max_steps_per_frame = 4;
 };
 
-/// What one rendered frame has to do.
+/// The steps that one rendered frame has to take.
 struct FixedStepFrame {
     int steps = 0;               ///< call World::step(step) this many times
     float alpha = 0;             ///< then draw previous + alpha (current - previous), alpha in [0, 1)

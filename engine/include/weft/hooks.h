@@ -1,5 +1,5 @@
 #pragma once
-// What a host gives Weft in place of what the process has: memory, a log, and zones for its profiler.
+// A host's replacements for the process's memory and log, and zones for its profiler.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,38 +11,37 @@ namespace weft {
 
 enum class LogLevel : std::uint8_t { note, warning };
 
-/// Of the whole process. What is null is as without hooks. Called from any thread, at any time, also several
-/// times at once; none may throw or call Weft.
+/// Hooks of the whole process; a null hook leaves the default. They are called from any thread, at any time,
+/// also several at once; none may throw or call Weft.
 struct Hooks {
-    void* user = nullptr;  ///< handed back
+    void* user = nullptr;  ///< passed to every hook
 
-    /// Per-particle memory of cloths: buffers of a multiple of 16 bytes, aligned to 64. Null: there is none,
-    /// and the call that needed it fails with ErrorCode::out_of_memory, nothing changed. What is small, or
-    /// held only while something is made - lists, ids, texts, shapes - comes from operator new, threads from
-    /// oneTBB.
+    /// Allocates per-particle memory of cloths: buffers of a multiple of 16 bytes, aligned to 64. If it
+    /// returns null, the call that needed memory fails with ErrorCode::out_of_memory and changes nothing.
+    /// Small or temporary memory - lists, ids, texts, shapes - comes from operator new, threads from oneTBB.
     void* (*allocate)(void* user, std::size_t bytes, std::size_t alignment) = nullptr;
-    /// Of the same bytes. Set both, or neither.
+    /// Releases memory of the same `bytes`. Set both, or neither.
     void (*release)(void* user, void* memory, std::size_t bytes, std::size_t alignment) = nullptr;
 
-    /// What somebody may want to look at: which flags a step raised that the one before did not, and which
-    /// cloth first; what was left out of a mesh or turned. One line, without a line break.
+    /// Receives notes and warnings, each one line without a line break: flags that a step raised and the one
+    /// before did not, with the first cloth concerned; parts of a mesh that were left out or turned.
     void (*log)(void* user, LogLevel level, const char* line) = nullptr;
-    /// An assertion failed: a fault of Weft, which builds with NDEBUG do not look for. In all builds: the
-    /// host read the value of a Result that holds an Error, whose message is in the condition. Then the
-    /// process is aborted, unless this does not return.
+    /// Called after a failed assertion, a fault of Weft that builds with NDEBUG do not test for. Called in
+    /// all builds when the host reads the value of a Result that holds an Error; the condition contains its
+    /// message. The process is then aborted, unless the hook does not return.
     void (*failed_assertion)(void* user, const char* condition, const char* file, int line) = nullptr;
 
-    /// Stages of a step begin and end, on the thread that takes them, one within the other: see
-    /// World::profile() for their names, which live as long as the process. Set both, or neither.
+    /// Called when a stage of a step begins or ends, on the thread that runs it; stages nest.
+    /// World::profile() has their names, which live as long as the process. Set both, or neither.
     void (*begin_zone)(void* user, const char* name) = nullptr;
     void (*end_zone)(void* user, const char* name) = nullptr;
 };
 
-/// While no cloth is there and no call of Weft runs: best before all else. Errors: one of a pair is missing;
-/// there is memory that was got by the hooks of before.
+/// Sets the hooks, while no cloth exists and no call of Weft runs: best before all else. Errors: one of a
+/// pair is missing; memory from the previous hooks is in use.
 WEFT_API Result<void> set_hooks(const Hooks& hooks);
 
-/// What buffers hold at present, by Hooks::allocate or without it.
+/// Memory that buffers hold at present, from Hooks::allocate or without it.
 struct MemoryUse {
     std::uint64_t bytes = 0, blocks = 0;
 };

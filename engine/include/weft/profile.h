@@ -1,5 +1,5 @@
 #pragma once
-// Where the time of a step went.
+// The time that each stage of a step took.
 
 #include <cstdint>
 #include <span>

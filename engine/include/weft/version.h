@@ -1,16 +1,15 @@
 #pragma once
-/* Which Weft this is, by semantic versioning (semver.org). C and C++.
+/* The version of Weft, by semantic versioning (semver.org). C and C++.
 
-   While the first number is 0, the second counts what a host has to look at: code that was written for 0.1.0
-   compiles and runs with every 0.1.x. A shared library of 0.1.x takes the place of another of them without a
-   new build, for C; in C++ both sides need the same compiler's library besides, and take the headers they
-   were built with. Saves, recordings and cooked cloths have versions of their own, apart from this: what a
-   library cannot read it refuses by its version, and does not misread. Those of one 0.x.* are read by all of
-   it. */
+   While the first number is 0, the second counts changes that a host has to look at: code that was written
+   for 0.1.0 compiles and runs with every 0.1.x. A shared library of one 0.1.x can replace another without a
+   new build, for C; in C++ both sides also need the same compiler's library, and keep the headers that they
+   were built with. Saves, recordings and cooked cloths have versions of their own: a library refuses a
+   version that it cannot read, and does not misread it. Every 0.x.* reads those of all with the same x. */
 
 #include "weft/export.h"
 
-/* The build reads them from here. */
+/* The build reads the version from these lines. */
 #define WEFT_VERSION_MAJOR 0
 #define WEFT_VERSION_MINOR 1
 #define WEFT_VERSION_PATCH 0
@@ -25,7 +24,7 @@ extern "C" {
 /* WEFT_VERSION of the library that runs: a host that was compiled with other headers compares it with its
  * own. */
 WEFT_API int weft_version(void);
-/* Likewise WEFT_VERSION_STRING. */
+/* WEFT_VERSION_STRING of the library that runs. */
 WEFT_API const char* weft_version_string(void);
 #ifdef __cplusplus
 }

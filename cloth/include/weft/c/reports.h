@@ -1,6 +1,6 @@
 #pragma once
-// What Weft tells a host, for C. Each field means what the field of that name does in the header named above
-// its struct. Set struct_size before a call fills one of them: see weft/weft_c.h.
+// Results and reports, for C. Each field means what the field of that name does in the header named above its
+// struct. Set struct_size before a call fills one of them: see weft/weft_c.h.
 
 #include "weft/c/values.h"
 
@@ -13,9 +13,9 @@ typedef struct WeftClothView {
     uint32_t struct_size;
     uint32_t particles, vertices, triangle_count;
     const WeftVec4* positions;           // of particles; w is the inverse mass
-    const WeftVec4* previous_positions;  // likewise
-    const WeftVec4* velocities;          // likewise
-    const WeftVec4* normals;             // likewise
+    const WeftVec4* previous_positions;  // of particles, w likewise
+    const WeftVec4* velocities;          // of particles
+    const WeftVec4* normals;             // of particles
     const WeftTriangle* triangles;       // indices of particles
     const uint32_t* vertex_to_particle;
     const WeftVec2* texcoords;             // of vertices, or null
@@ -23,7 +23,7 @@ typedef struct WeftClothView {
     WeftBounds bounds;
 } WeftClothView;
 
-// What weft_world_write_vertices() writes. weft/vertex_streams.h
+// weft/vertex_streams.h: destinations of weft_world_write_vertices()
 typedef struct WeftVertexStreams {
     uint32_t struct_size;
     WeftStream positions, previous_positions;
@@ -153,9 +153,9 @@ typedef struct WeftReplay {
     uint32_t struct_size;
     uint64_t steps, calls;
     WeftBool is_whole;
-    WeftBool differs;         // then:
-    uint64_t different_step;  // the first after which something has other bytes
-    int32_t different_cloth;  // its place among all that were added; -1: what a World has besides
+    WeftBool differs;         // if it does:
+    uint64_t different_step;  // the first step after which the state differs
+    int32_t different_cloth;  // the cloth's place among all that were added; -1: what a World has besides
 } WeftReplay;
 
 typedef struct WeftMemoryUse {

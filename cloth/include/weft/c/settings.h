@@ -1,6 +1,6 @@
 #pragma once
-// What a host sets, for C. Each field means what the field of that name does in the header named above its
-// struct, which says its unit, range and consequence. See weft/weft_c.h for struct_size.
+// Settings, for C. Each field means what the field of that name does in the header named above its struct,
+// which says its unit, range and consequence. See weft/weft_c.h for struct_size.
 
 #include "weft/c/values.h"
 
@@ -64,11 +64,11 @@ enum {
 enum { WEFT_SET_GAUSS_SEIDEL, WEFT_SET_LDLT };
 typedef struct WeftMethod {
     int32_t kind;                         // WEFT_METHOD_...
-    int32_t iterations;                   // of all but Multilevel and symplectic Euler
-    WeftBool exact_mean_motion;           // of Jacobi and Chebyshev
-    int32_t passes;                       // of Multilevel
-    float tolerance;                      // likewise
-    int32_t vertical, horizontal, shear;  // of Fibres: WEFT_SET_...
+    int32_t iterations;                   // all but Multilevel and symplectic Euler
+    WeftBool exact_mean_motion;           // Jacobi and Chebyshev
+    int32_t passes;                       // Multilevel
+    float tolerance;                      // Multilevel
+    int32_t vertical, horizontal, shear;  // Fibres: WEFT_SET_...
 } WeftMethod;
 enum { WEFT_TIME_OF_METHOD, WEFT_TIME_BACKWARD_EULER, WEFT_TIME_BDF2 };
 
@@ -169,8 +169,8 @@ typedef struct WeftCollider {
     WeftBool is_trigger;
 } WeftCollider;
 
-// weft/shapes.h: Shape, likewise. Vertices are three floats each, triangles three uint32_t, heights one
-// float.
+// weft/shapes.h: Shape, with the fields of every shape in one. Vertices are three floats each, triangles
+// three uint32_t, heights one float.
 enum {
     WEFT_TRIANGLE_MESH,  // vertices, triangles, closed
     WEFT_CONVEX_HULL,    // vertices (points there)
@@ -206,9 +206,9 @@ typedef struct WeftBodyState {
 typedef struct WeftMeshView {
     uint32_t struct_size;
     WeftInput positions, triangles;
-    WeftInput pattern, texcoords;  // or none
+    WeftInput pattern, texcoords;  // either may be empty
     uint32_t rows, columns;        // of a sheet, else 0
-    WeftInput welds;               // one uint32_t each, or none
+    WeftInput welds;               // one uint32_t each; may be empty
 } WeftMeshView;
 typedef struct WeftSheetSettings {
     uint32_t struct_size;
@@ -239,7 +239,7 @@ typedef struct WeftFixedStepFrame {
     double dropped_seconds;
 } WeftFixedStepFrame;
 
-// weft/hooks.h. Of the whole process.
+// weft/hooks.h. They apply to the whole process.
 enum { WEFT_LOG_NOTE, WEFT_LOG_WARNING };
 typedef struct WeftHooks {
     uint32_t struct_size;
@@ -258,9 +258,9 @@ typedef struct WeftCookProgress {
     WeftBool (*report)(void* user, float done);  // 0 ends the cooking
 } WeftCookProgress;
 
-// Whose bytes a cooked cloth is read from: they stay as they are until give_back is called, once, on the
-// thread that drops the last cloth of theirs; before the call returns where they had to be copied, never
-// where it fails.
+// Owner of the bytes from which a cooked cloth is read. They stay as they are until give_back is called,
+// once, on the thread that drops the last cloth that uses them. If they had to be copied, it is called before
+// the load returns; if the load fails, it never is.
 typedef struct WeftLender {
     void* user;
     void (*give_back)(void* user);
@@ -268,7 +268,7 @@ typedef struct WeftLender {
 
 // weft/recording.h: RecordingSink
 typedef struct WeftRecordingSink {
-    WeftBool (*write)(void* user, const void* bytes, size_t count);  // 0: it cannot
+    WeftBool (*write)(void* user, const void* bytes, size_t count);  // 0: it failed
     void* user;
 } WeftRecordingSink;
 

@@ -14,8 +14,8 @@ extern "C" {
 
 typedef int32_t WeftBool;  // 0: no; all else: yes
 
-// What a call came to. Where it is not WEFT_OK nothing has changed, what it was to give is as it was, and
-// weft_error_text() says why.
+// Result of a call. If it is not WEFT_OK nothing has changed, outputs are as they were, and weft_error_text()
+// says why.
 typedef int32_t WeftResult;
 enum {
     WEFT_OK = 0,
@@ -26,7 +26,7 @@ enum {
     WEFT_MALFORMED_FILE = 5,    // a file whose content breaks its format
     WEFT_OUT_OF_MEMORY = 6,
     WEFT_UNSUPPORTED = 7,
-    WEFT_CANCELLED = 8  // a callback of the host's said so
+    WEFT_CANCELLED = 8  // a callback of the host's cancelled the call
 };
 
 typedef struct WeftVec2 {
@@ -42,12 +42,12 @@ typedef struct WeftVec4 {
 typedef struct WeftRotation {
     float x, y, z, w;
 } WeftRotation;
-// The point p goes to rotation p + translation.
+// Maps the point p to rotation p + translation.
 typedef struct WeftTransform {
     WeftVec3 translation;
     WeftRotation rotation;
 } WeftTransform;
-// Empty while lower > upper.
+// A bounding box, empty while lower > upper.
 typedef struct WeftBounds {
     WeftVec3 lower, upper;
 } WeftBounds;
@@ -67,7 +67,7 @@ typedef struct WeftBlade {
     WeftVec3 was_a, was_b, is_a, is_b;
 } WeftBlade;
 
-// Names of what is in a World. All-zero is null.
+// Identifiers of objects in a World. All-zero is null.
 typedef struct WeftClothId {
     uint32_t index, generation;
 } WeftClothId;
@@ -81,7 +81,7 @@ typedef struct WeftBodyId {
     uint32_t index, generation;
 } WeftBodyId;
 
-// What lives until it is destroyed.
+// Objects that exist until they are destroyed.
 typedef struct WeftWorld WeftWorld;
 typedef struct WeftMesh WeftMesh;
 typedef struct WeftCookedCloth WeftCookedCloth;
@@ -89,13 +89,13 @@ typedef struct WeftDrawnMesh WeftDrawnMesh;
 typedef struct WeftCutStroke WeftCutStroke;
 typedef struct WeftFixedStep WeftFixedStep;
 
-// Items of the host's own, each `stride` bytes behind the one before it; 0: one right behind the other.
+// Items in the host's memory, each `stride` bytes behind the one before it; 0: they are contiguous.
 typedef struct WeftInput {
     const void* data;
     size_t count, stride;
 } WeftInput;
-// One kind of value that is written for each vertex, likewise, into `bytes` of memory. Null: it is not asked
-// for.
+// One attribute that is written for each vertex, `stride` bytes apart as in WeftInput, into `bytes` of
+// memory. Null: the attribute is not written.
 typedef struct WeftStream {
     void* data;
     size_t bytes, stride;

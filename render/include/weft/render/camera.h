@@ -21,18 +21,18 @@ struct OrbitCamera {
     float yaw = 0.6f;           ///< [rad]; 0 looks along -Z
     float pitch = 0.25f;        ///< [rad], within +-1.5
     float vertical_fov = 0.7f;  ///< [rad]
-    /// Where panels cover a part of the picture: how far left of its middle the target is drawn, in halves of
-    /// its width, and how much smaller all is drawn, > 0.
+    /// Placement beside panels that cover a part of the picture. `shift`: the target's distance left of the
+    /// middle, in halves of the picture's width. `shrink`: scale of the picture, > 0.
     float shift = 0, shrink = 1;
 
     [[nodiscard]] Vec3 eye() const;
     [[nodiscard]] Matrix4 view() const;
     [[nodiscard]] Matrix4 projection(float aspect) const;
-    /// Through the point (x, y) of the image, both in [0, 1], (0, 0) the upper left corner.
+    /// The ray through the point (x, y) of the image, both in [0, 1]; (0, 0) is the upper left corner.
     [[nodiscard]] Ray ray(float x, float y, float aspect) const;
 
     void orbit(float yaw_change, float pitch_change);  ///< [rad]
-    void zoom(float factor);                           ///< > 1 comes nearer
+    void zoom(float factor);                           ///< a factor > 1 moves the eye closer
     void pan(float right, float up);                   ///< in fractions of the image's height
 };
 

@@ -18,14 +18,14 @@ struct WindowSettings {
     bool checked = false;  ///< the driver checks every call: Context::take_complaints()
 };
 
-/// A current context on the calling thread, functions loaded. One at a time per thread.
+/// A context that is current on the calling thread, with OpenGL's functions loaded. At most one per thread.
 class Context {
   public:
     /// Error: no display, or no OpenGL 3.3 core.
     [[nodiscard]] static Result<Context> window(const WindowSettings& settings);
-    /// Without display or GPU: EGL on Mesa's surfaceless platform, rendering into framebuffer objects.
-    /// Error: says what EGL lacks.
-    /// `checked`: as in WindowSettings.
+    /// An EGL context that needs no display and draws into framebuffer objects. It uses a graphics card where
+    /// EGL offers one, else Mesa's software renderer. `checked`: as in WindowSettings. Error: says what EGL
+    /// lacks.
     [[nodiscard]] static Result<Context> offscreen(bool checked = false);
     Context(Context&&) noexcept;
     Context& operator=(Context&&) noexcept;
@@ -33,9 +33,8 @@ class Context {
 
     [[nodiscard]] GLFWwindow* window_handle() const noexcept;  ///< null offscreen
     [[nodiscard]] std::string renderer() const;                ///< GL_RENDERER and GL_VERSION
-    /// What the driver has objected to since the last call, with severity medium or high: calls that are
-    /// errors, and what it need not bear or is slow at. None where the context is not checked, or the driver
-    /// lacks KHR_debug.
+    /// The driver's debug messages of severity medium or high since the last call, except those about
+    /// performance. None where the context is not checked, or the driver lacks KHR_debug.
     [[nodiscard]] std::vector<std::string> take_complaints();
 
   private:

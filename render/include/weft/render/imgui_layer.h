@@ -7,20 +7,20 @@
 
 namespace weft::render {
 
-/// Has a Dear ImGui context of its own, which is the current one between begin() and end(), where the host
-/// calls ImGui:: as it likes. Whichever was current before is so again after every other call. One at a time.
+/// A layer with its own Dear ImGui context. That context is current between begin() and end(), where the host
+/// calls ImGui:: freely. All other calls leave the host's context current. At most one layer exists.
 class ImGuiLayer {
   public:
-    /// Precondition: the Context outlives the layer. A host that has GLFW callbacks of its own sets them
-    /// before; they go on being called.
+    /// Precondition: the Context outlives the layer. A host with GLFW callbacks of its own sets them before;
+    /// the layer passes events on to them.
     explicit ImGuiLayer(Context& context);
     ImGuiLayer(ImGuiLayer&&) noexcept;
     ImGuiLayer& operator=(ImGuiLayer&&) noexcept;
     ~ImGuiLayer();
 
-    /// Starts a frame. Width and height in pixels are used offscreen only; a window knows its own.
+    /// Starts a frame. The size [pixels] and the time [s] are used offscreen only; a window has its own.
     void begin(int width, int height, float seconds_since_last);
-    /// Draws what was built into the framebuffer that is bound. OpenGL's state is left as it was.
+    /// Draws the frame's widgets into the bound framebuffer. OpenGL's state is left as it was.
     void end();
 
     [[nodiscard]] bool wants_mouse() const;  ///< the pointer is over a panel

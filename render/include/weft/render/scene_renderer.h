@@ -1,5 +1,5 @@
 #pragma once
-// Draws cloth and the shapes it meets: sky, ground, soft shadow, two-sided fabric, 4x multisampling.
+// Draws cloth and solids, with sky, ground, soft shadows and multisampling.
 
 #include <array>
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace weft::render {
 
-/// How threads lie: over and under each other in turn; over two and under two, in slanting ribs; loops; not
-/// at all.
+/// The pattern of a fabric's threads. Plain: over and under in turn; twill: over two and under two, in
+/// slanting ribs; knit: loops; none: no threads are drawn.
 enum class Threads : std::uint8_t { plain, twill, knit, none };
 
 /// A fabric's look. Colours are linear RGB in [0, 1].
@@ -23,12 +23,12 @@ struct FabricLook {
     Vec3 front{0.55f, 0.08f, 0.10f};
     Vec3 back{0.45f, 0.09f, 0.11f};
     float roughness = 0.75f;  ///< 0 silk, 1 felt
-    float sheen = 0.5f;       ///< strength of the light fibre edge
+    float sheen = 0.5f;       ///< strength of the light rim at grazing angles
     Threads threads = Threads::plain;
-    float thread_width = 0.45f;  ///< from thread to thread [mm] of texture coordinate; 0 draws none
-    float shine = 0;             ///< strength of the light that threads reflect across themselves: satin 1
-    float shine_width = 0.25f;   ///< of it, 0.02 a line to 1
-    float stripe_width = 0;      ///< [m] of texture coordinate u; 0 draws none
+    float thread_width = 0.45f;  ///< spacing of threads [mm of texture coordinate]; 0 draws none
+    float shine = 0;             ///< strength of the highlight across threads; satin 1
+    float shine_width = 0.25f;   ///< width of that highlight, from 0.02 (a line) to 1
+    float stripe_width = 0;      ///< width of a stripe [m of texture coordinate u]; 0 draws none
     Vec3 stripe{0.9f, 0.88f, 0.82f};
     float translucency = 0.35f;  ///< share of the sun's light that shines through; 0 leather, 0.5 chiffon
 };
@@ -41,14 +41,14 @@ struct ClothSurface {
     FabricLook look;
 };
 
-/// The parts that move: streamed from the simulation's own buffers, one element of sixteen bytes a particle.
-/// The first three have one element per particle.
+/// The parts of a cloth's mesh that move, streamed from the simulation's own buffers. The first three spans
+/// have one element of sixteen bytes per particle.
 struct ClothFrame {
     std::span<const Vec4> positions;
     std::span<const Vec4> previous_positions;
     std::span<const Vec4> normals;
-    /// Of what somebody wants to see of the cloth: linear RGB, w how much of it in place of the fabric's own
-    /// colour. One per particle, or none.
+    /// Colours that show a quantity of the cloth, one per particle or none. xyz: linear RGB; w: weight
+    /// against the fabric's own colour, 0 to 1.
     std::span<const Vec4> colours{};
 };
 
@@ -65,7 +65,7 @@ struct DrawnCapsule {
     float radius;
     Vec3 color{0.75f, 0.72f, 0.68f};
 };
-/// The radius goes evenly from one end to the other.
+/// A capsule whose radius changes linearly from one end to the other.
 struct DrawnTaperedCapsule {
     Vec3 a, b;
     float radius_a, radius_b;
@@ -73,40 +73,40 @@ struct DrawnTaperedCapsule {
 };
 struct DrawnBox {
     Vec3 center;
-    Vec3 x, y, z;  ///< from there to the middle of a face, along each of its axes
+    Vec3 x, y, z;  ///< half axes: from the centre to the middle of a face [m]
     Vec3 color{0.75f, 0.72f, 0.68f};
 };
 
-/// A straight line, one pixel wide, hidden by what is before it.
+/// A straight line, one pixel wide, hidden by nearer surfaces.
 struct DrawnLine {
     Vec3 from, to;  ///< [m]
     Vec3 color;
     float opacity = 1;  ///< 0 to 1
 };
 
-/// What a picture costs and how good it is. The defaults are the best; what is out of range counts as the
-/// nearest that is in it.
+/// Settings that trade a picture's quality for its cost. The defaults are full quality; a value out of
+/// range is clamped.
 struct Quality {
-    int samples = 4;       ///< of each pixel at edges, 1 to 4
+    int samples = 4;       ///< samples per pixel (multisampling), 1 to 4
     int sun_map = 2048;    ///< texels on a side of the sun's depth map, 64 to 4096
-    int sky_map = 512;     ///< likewise of the one seen from above
-    int blocker_taps = 8;  ///< with which the width of the shadow's edge is found, 0 to 16; 0: it is sharp
-    int sun_taps = 16;     ///< of the shadow's edge, 1 to 32
-    int sky_taps = 12;     ///< of the darkness in folds and below things, 0 to 32; 0: there is none
+    int sky_map = 512;     ///< texels on a side of the depth map seen from above, 64 to 4096
+    int blocker_taps = 8;  ///< samples that find the width of the shadow's edge, 0 to 16; 0: sharp
+    int sun_taps = 16;     ///< samples of the shadow's edge, 1 to 32
+    int sky_taps = 12;     ///< samples of the ambient occlusion, 0 to 32; 0: none
     bool weave = true;     ///< threads and the shine along them
-    float resolution = 1;  ///< pixels drawn over those shown, along each side, 0.25 to 1
+    float resolution = 1;  ///< drawn pixels per shown pixel along each side, 0.25 to 1
     friend bool operator==(const Quality&, const Quality&) = default;
 };
 
-/// What the parts of a picture took, on whatever draws it [ms].
+/// Durations of the parts of a picture, from OpenGL's timestamps [ms].
 struct DrawTimes {
     float shadows = 0;  ///< both depth maps
-    float scene = 0;    ///< what is seen
-    float display = 0;  ///< film's response and the way to the window
+    float scene = 0;    ///< solids, cloth, ground, sky and lines
+    float display = 0;  ///< conversion to sRGB, into the target
     [[nodiscard]] float total() const { return shadows + scene + display; }
 };
 
-/// One image.
+/// The description of one image.
 struct View {
     OrbitCamera camera;
     float alpha = 1;  ///< blend of previous and current positions, in [0, 1]
@@ -129,12 +129,12 @@ struct Image {
     std::vector<std::uint8_t> rgb;
 };
 
-/// What a host has set in OpenGL 3.3 changes no picture, and every call leaves it as it was, but for the
-/// target of draw(). Transform feedback and conditional rendering must not be under way.
+/// The host's OpenGL 3.3 state changes no picture, and every call restores it, except for the target of
+/// draw(). Transform feedback and conditional rendering must not be active.
 class SceneRenderer {
   public:
-    /// Precondition: a Context is current, here and at every call. Error: a shader that does not compile (the
-    /// log).
+    /// Precondition: a Context is current, here and at every call. Error: a shader does not compile; the
+    /// message holds the log.
     [[nodiscard]] static Result<SceneRenderer> create();
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;
@@ -142,7 +142,7 @@ class SceneRenderer {
 
     /// The surface's spans need not outlive the call. A cloth is drawn from its first update_cloth() on.
     ClothHandle add_cloth(const ClothSurface& surface);
-    // A handle that is null or removed is ignored by these three.
+    // These three ignore a handle that is null or removed.
     void remove_cloth(ClothHandle cloth);
     void update_cloth(ClothHandle cloth, const ClothFrame& frame);
     void set_look(ClothHandle cloth, const FabricLook& look);
@@ -150,15 +150,16 @@ class SceneRenderer {
     /// Draws into framebuffer `target` (0: the window) of the given size in pixels, and leaves it bound with
     /// its viewport set, so that panels can be drawn on top. A size of 0 (an iconified window) draws nothing.
     void draw(const View& view, int width, int height, unsigned target = 0);
-    /// Draws into an image of its own and reads it back. `overlay` draws on top of the scene before that.
+    /// Draws into an image of its own and reads it back. `overlay` draws on top of the scene first.
     /// Precondition: width and height are from 1 to 16384.
     [[nodiscard]] Image capture(const View& view, int width, int height,
                                 const std::function<void()>& overlay = nullptr);
     /// Whether a processor draws, and not a graphics card.
     [[nodiscard]] bool drawn_by_processor() const;
-    /// Waits until all that was drawn is there.
+    /// Waits until the driver has finished all drawing.
     void wait() const;
-    /// Of a picture some frames ago: the driver draws behind, and is not waited for. Zeros before.
+    /// Times of a picture some frames ago: the driver works asynchronously and is not waited for. Zeros until
+    /// the first result.
     [[nodiscard]] DrawTimes draw_times() const;
 
   private:

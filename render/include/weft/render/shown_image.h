@@ -9,8 +9,8 @@ namespace weft::render {
 
 class ShownImage {
   public:
-    /// Of a PNG file. Precondition: a Context is current, here and when it ends. Errors: no Context was ever
-    /// made; a file that cannot be read, or is no picture.
+    /// Loads a PNG file. Precondition: a Context is current, here and when the image is destroyed. Errors: no
+    /// Context was ever made; a file that cannot be read, or is no picture.
     [[nodiscard]] static Result<ShownImage> load(const char* file);
     ShownImage(ShownImage&&) noexcept;
     ShownImage& operator=(ShownImage&&) noexcept;
@@ -18,7 +18,7 @@ class ShownImage {
 
     [[nodiscard]] int width() const noexcept;   ///< [pixels]
     [[nodiscard]] int height() const noexcept;  ///< [pixels]
-    /// OpenGL's name of it, as a pointer: what ImGui::Image() takes.
+    /// The texture's OpenGL name as a pointer, as ImGui::Image() takes it.
     [[nodiscard]] void* texture() const noexcept;
 
   private:
