@@ -45,6 +45,14 @@ void MovingBody::expect() {
     find_end();
 }
 
+void MovingBody::stop(const Vector6& impulse) {
+    const Vector6 change = root * (root.transpose() * impulse);
+    drift += change;
+    free += change;
+    is_stopped = true;
+    expect();
+}
+
 bool MovingBody::is_uneven() const {
     return inverse_inertia.minCoeff() > 0 && inverse_inertia.minCoeff() < inverse_inertia.maxCoeff();
 }
@@ -60,9 +68,12 @@ Vector6 MovingBody::limited(const Vector6& way, double time) const {
 }
 
 void MovingBody::find_end() {
-    Vector6 way = static_cast<double>(h - gamma) * velocity + static_cast<double>(gamma) * now;
-    way.tail<3>() = 0.5 * static_cast<double>(h) * (velocity + drift).tail<3>() +
-                    static_cast<double>(gamma) * (now - drift).tail<3>();
+    Vector6 way = static_cast<double>(h) * now;
+    if (!is_stopped) {
+        way = static_cast<double>(h - gamma) * velocity + static_cast<double>(gamma) * now;
+        way.tail<3>() = 0.5 * static_cast<double>(h) * (velocity + drift).tail<3>() +
+                        static_cast<double>(gamma) * (now - drift).tail<3>();
+    }
     way = limited(way, static_cast<double>(h));
     end.position = start.position + way.head<3>().cast<float>();
     end.rotation = turned(start.rotation, way.tail<3>().cast<float>());

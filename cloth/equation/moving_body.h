@@ -38,6 +38,7 @@ struct MovingBody {
     Vector6 expected = Vector6::Zero();  ///< impulse that cloth is expected to give [N s, N m s]
     Vector6 now = Vector6::Zero();       ///< velocity at the end, as far as it is known
     BodyPose end;                        ///< pose at the end, as far as it is known
+    bool is_stopped = false;             ///< by the World's colliders: it ends at start + h now
 
     /// Whether an impulse changes the body's motion.
     [[nodiscard]] bool gives_way() const;
@@ -45,6 +46,8 @@ struct MovingBody {
     void set_root(const Eigen::Quaternionf& rotation);
     /// Sets `now` and `end` from the expected impulse.
     void expect();
+    /// Adds an impulse of the World's colliders to what the body does without cloth.
+    void stop(const Vector6& impulse);
     /// Whether the inertia tensor turns with the body.
     [[nodiscard]] bool is_uneven() const;
     /// The inverse inertia tensor at a rotation: maps angular momentum to angular velocity.

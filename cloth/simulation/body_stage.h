@@ -15,6 +15,7 @@
 #include "cloth/bodies/body_coupling.h"
 #include "cloth/contact/group_finder.h"
 #include "cloth/equation/moving_body.h"
+#include "cloth/simulation/substep.h"
 #include "weft/body.h"
 
 namespace weft {
@@ -44,6 +45,7 @@ struct BodyStage {
         coupling.reserve(moving.size(), cloths);
         sharing.reserve(cloths);
         carried.reserve(colliders);
+        others.reserve(colliders);
     }
 
     void remove_last() noexcept {
@@ -69,7 +71,8 @@ struct BodyStage {
     BodyCoupling coupling;
     GroupFinder sharing;                      ///< groups of cloths that may meet one movable body
     std::vector<std::uint32_t> first_cloths;  ///< by body: the first cloth of its group, during that search
-    float h = 0;                              ///< length of the substep that a group solves [s]
+    Substep substep{0, 1, 0};                 ///< that a group solves
+    std::vector<ColliderMotion> others;       ///< colliders that no body carries, over the substep
     bool were_taken = false;                  ///< whether any cloth was solved with bodies in this substep
 };
 

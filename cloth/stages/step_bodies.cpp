@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloth/bodies/body_contacts.h"
 #include "cloth/stages/step_bodies.h"
+#include "cloth/stages/worn_step.h"
 #include "engine/bounds.h"
 
 namespace weft {
@@ -145,7 +147,8 @@ void begin_bodies(Simulation& world, const Substep& substep) {
     });
     limit_bodies(world);
     load_bodies(world);
-    take_bodies(world, {}, substep.h);
+    fill_motions(world, stage.others, ~0u, substep, nullptr);
+    take_bodies(world, {}, substep);
     for (Cloth* cloth : world.present)
         for (Attachment& attached : cloth->attached)
             attached.body = static_cast<std::uint32_t>(world.number_of(attached.id));
@@ -199,23 +202,62 @@ void add_carried_motions(const Simulation& world, std::vector<ColliderMotion>& m
     world.body_stage->coupling.begin(world.body_stage->moving, world.body_stage->carried, motions);
 }
 
+/// A collider over a part of the substep.
+ColliderMotion over_part(const ColliderMotion& motion, const Substep& substep, const Substep& part) {
+    if (part == substep) return motion;
+    const float whole = substep.end() - substep.begin();
+    ColliderMotion of_part = motion;
+    of_part.start = blend(motion.start, motion.end, (part.begin() - substep.begin()) / whole);
+    of_part.end = blend(motion.start, motion.end, (part.end() - substep.begin()) / whole);
+    return of_part;
+}
+
+/// Keeps a body that moves as expected out of the colliders that no body carries.
+void stop_at_colliders(const Simulation& world, std::size_t number, const Substep& part) {
+    const BodyStage& stage = *world.body_stage;
+    MovingBody& body = world.body_stage->moving[number];
+    body.is_stopped = false;
+    if (stage.others.empty() || !body.gives_way() || !body.now.allFinite()) return;
+    constexpr float about = 0.01f;
+    BodyContacts contacts(body);
+    world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+        if (slot.own.is_trigger || slot.body != stage.impulses[number].body) return;
+        const HeldShape* const held = world.held_by(slot.own);
+        const Collider own = carried(slot.own, body.start);
+        const Sphere ball = ball_around(own, held);
+        const float arm = (to_vector(ball.center) - body.start.position).norm() + ball.radius;
+        const auto speed = static_cast<float>(body.now.head<3>().norm()) +
+                           arm * static_cast<float>(body.now.tail<3>().norm());
+        const float reach = about + part.h * speed;
+        const Bounds box = grown(box_of(own, held), own.thickness + reach);
+        for (const ColliderMotion& other : stage.others)
+            if ((other.end.layers & own.layers) != 0 && overlap(box, other.filled))
+                contacts.add(own, held, over_part(other, stage.substep, part), reach);
+    });
+    if (contacts.empty()) return;
+    const Vector6 impulse = contacts.impulse();
+    if (!impulse.isZero(0)) body.stop(impulse);
+}
+
 /// A group takes bodies along over a substep of h seconds.
-void take_bodies(Simulation& world, std::span<Cloth* const> cloths, float h) {
+void take_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& substep) {
     BodyStage& stage = *world.body_stage;
-    stage.h = h;
+    stage.substep = substep;
     for (Cloth* cloth : cloths) std::ranges::fill(cloth->collected, CollectedShare{});
     stage.were_taken |= !cloths.empty();
-    start_part_of_bodies(world, cloths, h, h);
+    start_part_of_bodies(world, cloths, substep, substep.h);
 }
 
 /// A set of the group takes them along over a part of it.
-void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, float h, float gamma) {
+void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& part,
+                          float gamma) {
     BodyStage& stage = *world.body_stage;
+    const float h = part.h;
     for (std::size_t k = 0; k < stage.moving.size(); ++k) {
         stage.moving[k].start = stage.begins[k].pose;
         stage.moving[k].velocity = stage.begins[k].velocity;
     }
-    const double part = static_cast<double>(h / stage.h), step = static_cast<double>(h);
+    const double share = static_cast<double>(h / stage.substep.h), step = static_cast<double>(h);
     for (std::size_t k = 0; k < stage.moving.size(); ++k) {
         MovingBody& body = stage.moving[k];
         const BodySettings& of = stage.settings[k];
@@ -231,9 +273,9 @@ void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, flo
         Vector6 others = Vector6::Zero(), expected = Vector6::Zero(), echo = Vector6::Zero();
         for (Cloth* cloth : world.present) {
             const bool is_other = std::ranges::find(cloths, cloth) == cloths.end();
-            const BodyShare& share = cloth->state.shares[k];
+            const BodyShare& given = cloth->state.shares[k];
             CollectedShare& collected = cloth->collected[k];
-            const Vector6 as_before = part * to_vector6(share.last);
+            const Vector6 as_before = share * to_vector6(given.last);
             if (is_other) {
                 others += collected.is_known ? collected.in_part : as_before;
                 continue;
@@ -242,7 +284,7 @@ void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, flo
             collected.in_part.setZero();
             collected.by_stops.setZero();
             if (const Bdf bdf = cloth->bdf_of(h, gamma); bdf.is_second_order())
-                collected.in_part = to_vector6(share.echo) / static_cast<double>(bdf.divisor);
+                collected.in_part = to_vector6(given.echo) / static_cast<double>(bdf.divisor);
             echo += collected.in_part;
         }
         const auto moved_by = [&](const Vector6& impulse) -> Vector6 {
@@ -259,9 +301,11 @@ void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, flo
             body.expect();
         };
         expect();
-        if (!body.is_uneven()) continue;
-        body.turn_inertia();
-        expect();
+        if (body.is_uneven()) {
+            body.turn_inertia();
+            expect();
+        }
+        stop_at_colliders(world, k, part);
     }
 }
 
@@ -301,7 +345,7 @@ void end_bodies(Simulation& world, const Substep& substep) {
     if (!world.body_stage) return;
     BodyStage& stage = *world.body_stage;
     if (!stage.were_taken) {
-        take_bodies(world, {}, substep.h);
+        take_bodies(world, {}, substep);
         finish_part_of_bodies(world, {});
     }
     std::size_t k = 0;

@@ -15,12 +15,13 @@ namespace weft {
 void begin_bodies(Simulation& world, const Substep& substep);
 void end_bodies(Simulation& world, const Substep& substep);
 
-/// Around a group's solve: it takes bodies along over h seconds.
-void take_bodies(Simulation& world, std::span<Cloth* const> cloths, float h);
+/// Around a group's solve: it integrates bodies over the substep.
+void take_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& substep);
 void leave_bodies(Simulation& world, std::span<Cloth* const> cloths);
 
 /// Around one equation's solve, with the cloths of a set; then the end of the group's part.
-void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, float h, float gamma);
+void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& part,
+                          float gamma);
 void finish_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths);
 void end_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths);
 

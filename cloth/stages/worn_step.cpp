@@ -56,7 +56,8 @@ bool is_moved(const Cloth& cloth) {
     return cloth.carried && cloth.carried->moves;
 }
 
-/// Fills `motions` with the colliders over the substep, relative to a cloth's transport; null: without one.
+}  // namespace
+
 void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions, std::uint32_t mask,
                   const Substep& substep, const Carried* carried) {
     motions.clear();
@@ -81,8 +82,6 @@ void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions,
         motion.filled = filled_by(motion);
     });
 }
-
-}  // namespace
 
 // Cloth that is transported across another, or so far from the origin that rounding can make features cross,
 // may cross something afterwards.

@@ -11,6 +11,10 @@ namespace weft {
 /// Plans the transport of cloths by their frames, before a step of dt seconds.
 void plan_carries(Simulation& world, float dt);
 
+/// Fills `motions` with those of the unattached colliders with any of these layers over the substep, triggers
+/// left out. `carried`: the transport of a cloth that they are relative to, or null.
+void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions, std::uint32_t mask,
+                  const Substep& substep, const Carried* carried);
 /// Updates the motions of colliders that a set's cloths may meet. A cloth that its frame transports has a
 /// list of its own, relative to the transport.
 void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* const> set,

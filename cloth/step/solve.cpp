@@ -268,7 +268,7 @@ void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth*
     const float gamma = common_gamma(set, part.h);
     if (with_bodies) {
         for (Cloth* cloth : set) cloth->meets_bodies = true;
-        start_part_of_bodies(world, set, part.h, gamma);
+        start_part_of_bodies(world, set, part, gamma);
     }
     see_colliders(world, worker, set, part);
     make_equations(world, worker, group, set, part, gamma);
@@ -341,7 +341,7 @@ void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, fl
     for (Cloth* cloth : cloths) cloth->lay_out(scratch);
     group.add_featured(cloths);
     const bool with_bodies = any_meets_bodies(cloths);
-    if (with_bodies) take_bodies(world, cloths, substep.h);
+    if (with_bodies) take_bodies(world, cloths, substep);
     const int parts = parts_of(world, worker, cloths, substep);
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {

@@ -74,8 +74,7 @@ SurfacePoint nearest(const Plane& plane, const Vector3& to) {
     return {to - distance * normal, normal, distance};
 }
 
-SurfacePoint nearest(const PlacedShape& placed, const HeldShape& held, const Vector3& to) {
-    constexpr float sight = 0.1f;
+SurfacePoint nearest(const PlacedShape& placed, const HeldShape& held, const Vector3& to, float sight) {
     const Matrix3 from_own = unit(placed.rotation).toRotationMatrix();
     const Vec3 own = to_vec3(from_own.transpose() * (to - to_vector(placed.position)));
     Vec4 found{};
@@ -87,11 +86,12 @@ SurfacePoint nearest(const PlacedShape& placed, const HeldShape& held, const Vec
 
 }  // namespace
 
-SurfacePoint nearest_surface(const Collider& collider, const Vector3& to, const HeldShape* held) {
+SurfacePoint nearest_surface(const Collider& collider, const Vector3& to, const HeldShape* held,
+                             float sight) {
     return std::visit(
         [&]<class Kind>(const Kind& shape) {
             if constexpr (std::is_same_v<Kind, PlacedShape>)
-                return nearest(shape, *held, to);
+                return nearest(shape, *held, to, sight);
             else
                 return nearest(shape, to);
         },

@@ -14,8 +14,8 @@ struct SurfacePoint {
     float distance;  ///< signed distance of the given point [m]; negative inside
 };
 
-/// `held`: the shape of a PlacedShape; farther than 0.1 m outside of it the distance is infinite.
+/// `held`: the shape of a PlacedShape; farther outside of it than `sight` [m] the distance is infinite.
 [[nodiscard]] SurfacePoint nearest_surface(const Collider& collider, const Vector3& to,
-                                           const HeldShape* held = nullptr);
+                                           const HeldShape* held = nullptr, float sight = 0.1f);
 
 }  // namespace weft

@@ -152,6 +152,7 @@ Result<HeldShape> HeldShape::make(const Shape& shape) {
                      is_convex_body(*tree);
     made.find_coarse();
     made.find_rod();
+    made.find_corners();
     return made;
 }
 
@@ -183,6 +184,30 @@ void HeldShape::find_rod() {
     const float one = 0.5f * (first + last);
     rod_ = InnerRod{middle + std::min(first, one) * across.col(2),
                     middle + std::max(last, one) * across.col(2), radius, std::max(width, radius)};
+}
+
+void HeldShape::find_corners() {
+    if (is_ground()) return;
+    const auto* const tree = std::get_if<TriangleTree>(&data_);
+    if (tree != nullptr && tree->vertices().size() <= most_edged_corners) {
+        corners_.assign(tree->vertices().begin(), tree->vertices().end());
+        return;
+    }
+    for (int k = 0; k < 27; ++k) {
+        const Vector3 direction(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 % 3 - 1),
+                                static_cast<float>(k / 9 - 1));
+        if (direction.isZero(0)) continue;
+        if (tree != nullptr) {
+            corners_.push_back(*std::ranges::max_element(
+                tree->vertices(), {}, [&](const Vec3& v) { return direction.dot(to_vector(v)); }));
+            continue;
+        }
+        const Vector3 out = box_.center() + 0.5f * box_.sizes().cwiseProduct(direction);
+        const Vec3 from = to_vec3(out);
+        Vec4 surface{};
+        find_surfaces(*this, {&from, 1}, std::numeric_limits<float>::infinity(), {&surface, 1});
+        corners_.push_back(to_vec3(out - surface.w * xyz(surface)));
+    }
 }
 
 void HeldShape::find_coarse() {

@@ -64,6 +64,9 @@ class HeldShape {
     using Data = std::variant<TriangleTree, HeldHeights, HeldDistances>;
     [[nodiscard]] const Data& data() const noexcept { return data_; }
     [[nodiscard]] const Eigen::AlignedBox3f& box() const noexcept { return box_; }
+    /// Points of the surface that rigid bodies touch others with: a mesh's vertices, or of more than
+    /// most_edged_corners those that are farthest in 26 directions. A height field has none.
+    [[nodiscard]] std::span<const Vec3> corners() const noexcept { return corners_; }
     [[nodiscard]] bool is_convex() const noexcept { return convex_; }
     /// Most corners of an edged body: a convex body whose edges can part cloth, either a hull or a closed
     /// mesh that has not been deformed.
@@ -100,12 +103,14 @@ class HeldShape {
     void find_box();
     void find_coarse();
     void find_rod();
+    void find_corners();
     Data data_;
     Eigen::AlignedBox3f box_;
     HeldDistances coarse_{};      // distances of a closed mesh
     OutsideCells outside_;        // cells of a closed mesh that has been deformed
     std::vector<Vec3> original_;  // vertices before the first deformation; empty: none
     std::optional<InnerRod> rod_;
+    std::vector<Vec3> corners_;
     bool convex_, is_edged_ = false;
     std::uint64_t deforms_in_ = 0;  // 0: none
 };

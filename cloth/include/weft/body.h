@@ -1,7 +1,11 @@
 #pragma once
 // Rigid bodies that cloth moves. Colliders and vertices are attached to a body, which receives the reaction
-// to what they give cloth. Bodies collide with cloth only: collisions with one another, and with the World's
-// other colliders, are the host's. Cloth that lies on another collider stops a body.
+// to what they give cloth. Cloth that lies on another collider stops a body.
+//
+// A body's colliders also meet the World's colliders that no body carries, where their layers share a bit:
+// they rest there, slide with Coulomb friction (the geometric mean of both coefficients) and bounce by the
+// greater restitution, half a step early. Both keep their thickness apart. Edges of triangle meshes and hulls
+// meet corners alone. Collisions of bodies with one another are the host's.
 //
 // Cloth that has attached vertices, or is within 5 cm of a body's collider, never sleeps, however still both
 // are. Cloth in a frame (World::set_frame) meets bodies where they are in the World. A body's colliders have

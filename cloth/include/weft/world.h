@@ -211,9 +211,10 @@ class WEFT_API World {
     [[nodiscard]] Result<Collider> collider(ColliderId id) const;
 
     /// Adds a body that cloth moves. In each step Weft moves it: it falls, turns, and receives the reaction
-    /// to what its colliders and attached vertices give cloth. It meets cloth only: contact with the World's
-    /// other colliders and with other bodies is for the host's engine. A host whose engine moves the body
-    /// sets its state before each step, takes body_impulses() after it, and lets its engine do the rest.
+    /// to what its colliders and attached vertices give cloth. It stands and slides on the World's unattached
+    /// colliders (see body.h); contact with other bodies is for the host's engine. A host whose engine moves
+    /// the body sets its state before each step, takes body_impulses() after it, and lets its engine do the
+    /// rest.
     ///
     /// With Multilevel, the default, bodies are unknowns of the cloth's equation: stable from a hundredth to
     /// a hundred times the cloth's mass. Cloth that is pinned, or that a body presses onto a collider, stops

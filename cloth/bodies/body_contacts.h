@@ -1,0 +1,41 @@
+#pragma once
+// Contact of a rigid body with the World's colliders that no body carries.
+
+#include <array>
+#include <span>
+
+#include "cloth/equation/moving_body.h"
+
+namespace weft {
+
+/// Contacts of one body over a part of a step: places where the corners and edges of its colliders are near
+/// another collider, and the reverse. Edges are those of capsules and boxes.
+class BodyContacts {
+  public:
+    explicit BodyContacts(const MovingBody& body) : body_(body) {}
+
+    /// Adds the contacts of a collider that the body carries, placed at the part's start, with `other`, where
+    /// this one is when the part ends. `reach`: how far the body may go in the part [m].
+    void add(const Collider& own, const HeldShape* held, const ColliderMotion& other, float reach);
+
+    [[nodiscard]] bool empty() const { return count_ == 0; }
+    /// The impulse that keeps the body out of the colliders: sequential impulses (Catto 2005, "Iterative
+    /// dynamics with temporal coherence"), with Coulomb friction.
+    [[nodiscard]] Vector6 impulse() const;
+
+  private:
+    struct Contact {
+        Eigen::Vector3d arm;      ///< from the centre of mass [m]
+        Eigen::Vector3d normal;   ///< outward from the collider
+        Eigen::Vector3d surface;  ///< the collider's velocity there [m/s]
+        double gap;               ///< below 0: penetration depth [m]
+        double friction, restitution;
+    };
+    void add(const Contact& contact);
+
+    const MovingBody& body_;
+    std::array<Contact, 64> contacts_;  // the nearest ones, if there are more
+    std::size_t count_ = 0;
+};
+
+}  // namespace weft
