@@ -116,15 +116,15 @@ Result<void> Simulation::restart() {
     if (!world) return world.error();
     Simulation fresh(*entry_, options_, entry_->make(), std::move(*world));
     if (auto built = fresh.build(); !built) return built.error();
-    for (std::size_t i = 0; i < content_.cloths.size(); ++i) {
+    const std::size_t cloths = std::min(content_.cloths.size(), fresh.content_.cloths.size());
+    for (std::size_t i = 0; i < cloths; ++i) {
         const auto settings = world_.cloth_settings(content_.cloths[i].id);
         if (!settings) return settings.error();
         if (auto set = fresh.world_.set_cloth_settings(fresh.content_.cloths[i].id, *settings); !set)
             return set.error();
     }
     fresh.cuts_ = cuts_ + 1;  // the meshes are uncut again
-    for (std::size_t i = 0; i < content_.cloths.size(); ++i)
-        fresh.content_.cloths[i].look = content_.cloths[i].look;
+    for (std::size_t i = 0; i < cloths; ++i) fresh.content_.cloths[i].look = content_.cloths[i].look;
     fresh.first_settings_ = first_settings_;
     fresh.first_cloths_ = first_cloths_;
     *this = std::move(fresh);

@@ -131,7 +131,7 @@ struct NearBalls {
     }
     void operator()(const Edge& edge) const {
         constexpr int sections = 14;
-        constexpr float golden = 0.618034f;
+        constexpr float golden = 0.618034f, nearer = 1e-5f;  // [m]
         const float length = (edge.b - edge.a).norm();
         const auto gap = [&](float t) {
             return nearest(edge.at(t), edge.radius(t) + length).distance - edge.radius(t);
@@ -151,8 +151,9 @@ struct NearBalls {
                 at_right = gap(right = lower + golden * (upper - lower));
             }
         }
+        // An edge that is nearest at an end has no contact besides those of its corners.
         const float t = 0.5f * (lower + upper);
-        (*this)(edge.at(t), edge.radius(t));
+        if (gap(t) < std::min(gap(0), gap(1)) - nearer) (*this)(edge.at(t), edge.radius(t));
     }
 };
 
@@ -226,59 +227,63 @@ void BodyContacts::add(const Contact& contact) {
 }
 
 // A contact allows the approach that closes its gap by the end of the part. Penetration at the start opens at
-// a limited speed, relative to the collider.
+// a limited speed, relative to the collider. At a contact the body yields as `mobility` says: the change of
+// its velocity there, by an impulse.
 Vector6 BodyContacts::impulse() const {
     constexpr int most_rounds = 50;
     constexpr double opening = 0.1;  // [m/s]
     constexpr double still = 1e-5;   // change of velocity in a round [m/s]
+    struct Row {
+        Eigen::Matrix<double, 6, 3> moves;  // velocity of the body, by an impulse here
+        Eigen::Matrix3d mobility;
+        double yielding, least;  // along the normal
+        Eigen::Vector3d given = Eigen::Vector3d::Zero();
+    };
     const double h = static_cast<double>(body_.h);
     const double slow = 2 * (body_.now - body_.velocity).head<3>().norm();  // what is slower does not bounce
     const Matrix6 inverse_mass = body_.root * body_.root.transpose();
-    const Vector6 before = body_.now;
-    Vector6 sum = Vector6::Zero(), now = before;
-    std::array<double, 64> pressed{};
-    std::array<Eigen::Vector3d, 64> rubbed;
-    rubbed.fill(Eigen::Vector3d::Zero());
     const auto velocity = [](const Contact& at, const Vector6& of) -> Eigen::Vector3d {
         return of.head<3>() + Eigen::Vector3d(of.tail<3>()).cross(at.arm);
     };
-    double change = 0;
-    const auto give = [&](const Contact& at, const Eigen::Vector3d& more) {
-        const Vector6 impulse = wrench(at.arm, more);
-        const Vector6 moved = inverse_mass * impulse;
-        sum += impulse;
-        now += moved;
-        change = std::max(change, velocity(at, moved).norm());
-    };
-    const auto yields = [&](const Contact& at, const Eigen::Vector3d& direction) {
-        const Vector6 impulse = wrench(at.arm, direction);
-        return impulse.dot(inverse_mass * impulse);
-    };
-    for (int round = 0; round < most_rounds && (round == 0 || change > still); ++round) {
+    std::array<Row, most> rows;
+    for (std::size_t k = 0; k < count_; ++k) {
+        const Contact& at = contacts_[k];
+        Row& row = rows[k];
+        for (int axis = 0; axis < 3; ++axis) {
+            row.moves.col(axis) = inverse_mass * wrench(at.arm, Eigen::Vector3d::Unit(axis));
+            row.mobility.col(axis) = velocity(at, row.moves.col(axis));
+        }
+        row.yielding = at.normal.dot(row.mobility * at.normal);
+        const double along = at.normal.dot(at.surface), opens = -at.gap / h - along;
+        const double impact = at.normal.dot(velocity(at, body_.now)) - along;
+        row.least = along + std::min(opens, opening);
+        if (impact < opens && impact < -slow)
+            row.least = std::max(row.least, along - at.restitution * impact);
+    }
+    Vector6 sum = Vector6::Zero(), now = body_.now;
+    double change = 2 * still;
+    for (int round = 0; round < most_rounds && change > still; ++round) {
         change = 0;
         for (std::size_t k = 0; k < count_; ++k) {
             const Contact& at = contacts_[k];
-            const double yielding = yields(at, at.normal);
-            if (!(yielding > 0)) continue;
-            const double along = at.normal.dot(at.surface), opens = -at.gap / h - along;
-            const double impact = at.normal.dot(velocity(at, before)) - along;
-            double least = along + std::min(opens, opening);
-            if (impact < opens && impact < -slow) least = std::max(least, along - at.restitution * impact);
-            const double pressing =
-                std::max(0.0, pressed[k] + (least - at.normal.dot(velocity(at, now))) / yielding);
-            give(at, (pressing - pressed[k]) * at.normal);
-            pressed[k] = pressing;
-
-            Eigen::Vector3d slip = velocity(at, now) - at.surface;
+            Row& row = rows[k];
+            if (!(row.yielding > 0)) continue;
+            const Eigen::Vector3d v = velocity(at, now);
+            const double pressed = at.normal.dot(row.given);
+            const double pressing = std::max(0.0, pressed + (row.least - at.normal.dot(v)) / row.yielding);
+            if (pressing == 0 && pressed == 0) continue;
+            Eigen::Vector3d slip = v + (pressing - pressed) * (row.mobility * at.normal) - at.surface;
             slip -= at.normal.dot(slip) * at.normal;
-            const double speed = slip.norm();
-            const double eases = speed > 0 ? yields(at, slip / speed) : 0;
-            Eigen::Vector3d rubbing = rubbed[k];
-            if (eases > 0) rubbing -= slip / eases;
-            const double most = at.friction * pressing, length = rubbing.norm();
-            if (length > most) rubbing *= most / length;
-            give(at, rubbing - rubbed[k]);
-            rubbed[k] = rubbing;
+            Eigen::Vector3d rubbing = row.given - pressed * at.normal;
+            const double eases = slip.dot(row.mobility * slip);
+            if (eases > 0) rubbing -= slip.squaredNorm() / eases * slip;
+            const double limit = at.friction * pressing, length = rubbing.norm();
+            if (length > limit) rubbing *= limit / length;
+            const Eigen::Vector3d more = pressing * at.normal + rubbing - row.given;
+            row.given += more;
+            sum += wrench(at.arm, more);
+            now += row.moves * more;
+            change = std::max(change, (row.mobility * more).norm());
         }
     }
     return sum;

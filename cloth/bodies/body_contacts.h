@@ -34,7 +34,8 @@ class BodyContacts {
     void add(const Contact& contact);
 
     const MovingBody& body_;
-    std::array<Contact, 64> contacts_;  // the nearest ones, if there are more
+    static constexpr std::size_t most = 64;
+    std::array<Contact, most> contacts_;  // the nearest ones, if there are more
     std::size_t count_ = 0;
 };
 

@@ -8,7 +8,7 @@ namespace weft {
 
 namespace {
 
-/// Of the body's point at `arm`.
+/// Velocity of the body's point at `arm`.
 Eigen::Vector3d velocity_at(const Vector6& velocity, const Vector3& arm) {
     return velocity.head<3>() + Eigen::Vector3d(velocity.tail<3>()).cross(arm.cast<double>());
 }

@@ -24,46 +24,47 @@ struct CarriedCollider {
     const Collider* own;  ///< in the body's frame
 };
 
-/// What History took from the base of a particle that a collider held [kg m/s].
+/// Momentum that History took from the base of a particle that a collider held [kg m/s].
 [[nodiscard]] Vector3 forgotten(const StepEquation& equation, std::uint32_t particle);
 
 class BodyCoupling {
   public:
-    /// Room for so many bodies, and cloths that are solved together.
+    /// Reserves memory for these numbers of bodies and of cloths that are solved together.
     void reserve(std::size_t bodies, std::size_t cloths);
 
-    /// A solve begins, with these bodies and where their colliders are.
+    /// Begins a solve with these bodies and the motions of their colliders.
     void begin(std::span<MovingBody> bodies, std::span<const CarriedCollider> carried,
                std::span<ColliderMotion> motions);
-    /// Of the cloths in it, in the order in which they are numbered from here on. Its contacts carry pushes.
+    /// Adds a cloth's equation; cloths are numbered in the order of these calls. Its contacts list the
+    /// pushes.
     void join(const StepEquation& equation) { equations_.push_back(&equation); }
     [[nodiscard]] std::size_t cloths() const noexcept { return equations_.size(); }
 
-    // A linearisation, once the contacts of all cloths are linearised at `velocities`: first all are
-    // gathered.
+    // A linearisation, after those of the contacts of all cloths at `velocities`: all cloths are gathered,
+    // then bodies are eliminated.
     void gather(std::size_t cloth, std::span<const Vec4> velocities);
     void eliminate();
-    /// b + U R g.
+    /// Adds U R g to the right-hand side b.
     void add_to_right_side(std::size_t cloth, std::span<Vec4> right_side) const;
 
-    // A product: all are taken, then each is given its part.
+    // A product with the matrix: all cloths are taken, then each is given its part.
     void take(std::size_t cloth, std::span<const Vec4> x);
     /// Returns -x . U R U^T x.
     double respond();
     /// product -= U R U^T x.
     void give(std::size_t cloth, std::span<Vec4> product) const;
 
-    // The cloths' velocities have changed: bodies, their colliders and what contacts give at rest follow.
+    // After a change of velocities: bodies, their colliders and the contacts' constant impulses follow.
     void look(std::size_t cloth, std::span<const Vec4> velocities);
     void follow();
-    /// Colliders to where bodies are by now.
+    /// Moves the colliders to where bodies are now.
     void move_colliders();
 
   private:
     struct Eliminated {
         Matrix6 stiffness = Matrix6::Zero();     // sum A^T G A
-        Vector6 pressed = Vector6::Zero();       // sum A^T of what contacts give cloth
-        Vector6 sum = Vector6::Zero();           // of what is taken
+        Vector6 pressed = Vector6::Zero();       // sum A^T of the impulses that contacts give cloth
+        Vector6 sum = Vector6::Zero();           // sum A^T G x of what is taken
         Vector6 answer = Vector6::Zero();        // R sum
         Vector6 extra = Vector6::Zero();         // R g
         Vector6 departure = Vector6::Zero();     // z: V = V_free + root z

@@ -1,5 +1,5 @@
 // Bodies against particles that do not give way: pinned ones, and those that a body presses onto a collider.
-// They are no unknowns. Such a particle goes its way, and the body meets it as an obstacle.
+// Their motion is given, and the body meets them as obstacles.
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@ namespace weft {
 
 namespace {
 
-// The stop's spring, of the body's mass as its point there has it. n stops that bear a body yield by a free
-// step's fall over n.
+// Stiffness of a stop over the body's effective mass at its point. n stops that bear a body yield by the n-th
+// part of a step's free fall.
 constexpr double stop_per_mass = 1;
 
 Vector3 point(const BlockLanes& points, std::uint32_t k) {
@@ -35,7 +35,7 @@ void Contacts::carry(std::span<const MovingBody> bodies, std::span<const Attachm
     firm_ = static_cast<std::size_t>(std::ranges::find_if(colliders_, gives_way) - colliders_.begin());
 }
 
-// A particle has one row. Between a body and a collider that faces it the row is the collider's.
+// A particle has one row: between a body and a collider that faces the body it is the collider's.
 void Contacts::find_squeezed(const StepEquation& equation, std::span<const Vec4> velocities,
                              const BlockRange& range, NearSurfaces& near,
                              std::span<std::int32_t> pressed) const {
@@ -89,7 +89,7 @@ void Contacts::find_stops(const StepEquation& equation, std::span<const Vec4> ve
     }
 }
 
-/// A spring along the normal of contact and a damper across it, which has Coulomb's limit.
+/// Adds a spring along the contact normal and a damper across it, which is limited by Coulomb's law.
 void Contacts::add_stop(const StepEquation& equation, const NearSurfaces& near, std::uint32_t k,
                         const Vector3& velocity, std::uint32_t number) {
     const MovingBody& body = bodies_[number];

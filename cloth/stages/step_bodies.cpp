@@ -12,12 +12,13 @@ namespace weft {
 
 namespace {
 
-/// Else bodies get what came of their going on as they did.
+/// Whether bodies are unknowns of the equation. Otherwise they coast through it and receive the reaction
+/// impulse afterwards.
 bool are_solved_with_bodies(std::span<Cloth* const> cloths) {
     return std::ranges::all_of(cloths, [](const Cloth* cloth) { return cloth->solver->joins(); });
 }
 
-/// BDF2 has more to give.
+/// Whether BDF2 still extrapolates an impulse of earlier steps.
 bool is_still_heard(const BodyShare& share) {
     return std::ranges::any_of(share.echo, [](float part) { return std::abs(part) > 1e-10f; });
 }
@@ -31,19 +32,19 @@ void limit_length(Eigen::Ref<Eigen::Vector3d> v, double most) {
     if (length > most) v *= most / length;
 }
 
-/// The box's least distance from a point would be this far, were both where they are.
+/// Bounding box of a collider.
 Bounds box_of(const Collider& collider, const HeldShape* held) {
     const Sphere ball = ball_around(collider, held);
     const Vector3 centre = to_vector(ball.center), reach = Vector3::Constant(ball.radius);
     return {to_vec3(centre - reach), to_vec3(centre + reach)};
 }
 
-/// In single precision, as hosts get it.
+/// Whether the impulse is finite in single precision, as hosts get it.
 bool is_finite(const Vector6& impulse) {
     return impulse.cast<float>().allFinite();
 }
 
-/// The end of a part: where the body is, and how it moves with what cloth gave it.
+/// Ends a part: sets the body's pose and velocity from the impulse that cloth gave it.
 void arrive(MovingBody& body, const Vector6& given, bool is_solved_for) {
     const Vector6 after = body.limited(body.drift + body.root * (body.root.transpose() * given));
     if (!is_solved_for) {
@@ -55,7 +56,7 @@ void arrive(MovingBody& body, const Vector6& given, bool is_solved_for) {
 }
 
 /// Visits the numbers of the bodies that the cloth is attached to, or that can come near it in the substep,
-/// each at least once. In that substep all others leave it alone.
+/// each at least once. No other body touches the cloth in that substep.
 template <class Visit>
 void for_each_body_near(const Simulation& world, const Cloth& cloth, float h, const Visit& visit) {
     for (const Attachment& attached : cloth.attached) visit(attached.body);
@@ -80,7 +81,7 @@ void for_each_body_near(const Simulation& world, const Cloth& cloth, float h, co
     });
 }
 
-/// Finds the cloths that may meet bodies in the substep, and which of them share one that gives way.
+/// Finds the cloths that may meet bodies in the substep, and groups those that may meet one movable body.
 void find_cloths_of_bodies(Simulation& world, float h) {
     BodyStage& stage = *world.body_stage;
     constexpr std::uint32_t none = ~0u;
@@ -101,7 +102,7 @@ void find_cloths_of_bodies(Simulation& world, float h) {
     stage.sharing.end();
 }
 
-/// How fast bodies may be: attached particles, too, keep to max_speed.
+/// Limits the speed of bodies, so that attached particles keep to max_speed, too.
 void limit_bodies(Simulation& world) {
     for (MovingBody& body : world.body_stage->moving) {
         body.fastest = static_cast<double>(world.settings.max_speed);
@@ -114,7 +115,7 @@ void limit_bodies(Simulation& world) {
         }
 }
 
-/// Where the substep begins.
+/// Loads the poses and velocities that the substep begins with.
 void load_bodies(Simulation& world) {
     std::size_t k = 0;
     world.state.bodies.for_each([&](BodyId, const BodySlot& slot) {
@@ -155,7 +156,6 @@ void begin_bodies(Simulation& world, const Substep& substep) {
     find_cloths_of_bodies(world, substep.h);
 }
 
-/// Before a step: whether it is attached to one, or one may come near it.
 bool is_near_bodies(const Simulation& world, const Cloth& cloth, float dt) {
     if (!cloth.attached.empty()) return true;
     constexpr float about = 0.05f;
@@ -239,7 +239,6 @@ void stop_at_colliders(const Simulation& world, std::size_t number, const Subste
     if (!impulse.isZero(0)) body.stop(impulse);
 }
 
-/// A group takes bodies along over a substep of h seconds.
 void take_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& substep) {
     BodyStage& stage = *world.body_stage;
     stage.substep = substep;
@@ -248,7 +247,6 @@ void take_bodies(Simulation& world, std::span<Cloth* const> cloths, const Subste
     start_part_of_bodies(world, cloths, substep, substep.h);
 }
 
-/// A set of the group takes them along over a part of it.
 void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& part,
                           float gamma) {
     BodyStage& stage = *world.body_stage;
@@ -324,7 +322,7 @@ void finish_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths) {
     }
 }
 
-/// The group's next part goes on from where this one has brought bodies.
+/// The group's next part begins at the poses and velocities that this one ended with.
 void end_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths) {
     BodyStage& stage = *world.body_stage;
     for (std::size_t k = 0; k < stage.moving.size(); ++k)
@@ -333,7 +331,7 @@ void end_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths) {
         for (CollectedShare& share : cloth->collected) share.is_known = false;
 }
 
-/// What cloths gave while they took bodies along is expected of them again.
+/// Keeps the impulses that cloths gave as those that are expected of them in the next substep.
 void leave_bodies(Simulation& world, std::span<Cloth* const> cloths) {
     for (Cloth* cloth : cloths)
         for (std::size_t k = 0; k < cloth->collected.size(); ++k)
@@ -359,7 +357,7 @@ void end_bodies(Simulation& world, const Substep& substep) {
             stage.impulses[k].angular = to_vec3(given.tail<3>().cast<float>());
         }
         ++k;
-        // Where it cannot be it does not go.
+        // A body that would leave the World's range stops where it was.
         const float farthest_out = body.start.position.cwiseAbs().maxCoeff();
         if (!velocity.allFinite() || !(farthest_out <= runaway_distance) ||
             !body.start.rotation.coeffs().allFinite()) {

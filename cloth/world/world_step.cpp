@@ -63,6 +63,7 @@ const StepReport& World::step(float dt) noexcept {
         impl_->end_step();
     } else {
         impl_->simulation.clear_contacts();
+        impl_->simulation.clear_body_impulses();
         report = {.flags = StepFlags::invalid_dt, .step = impl_->simulation.state.steps};
     }
     impl_->phase = StepPhase::none;

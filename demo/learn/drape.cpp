@@ -93,7 +93,6 @@ float shadow_area(const Mesh& mesh, const ClothView& view) {
         return static_cast<std::size_t>(std::clamp(size, 0.0f, 2.0f) / square) + 2;
     };
     const std::size_t across = squares(box.upper.x - box.lower.x), along = squares(box.upper.z - box.lower.z);
-    if (across * along > 4'000'000) return 0;
     std::vector<char> dark(across * along);
     for (const auto& [a, b, c] : mesh.triangles) {
         std::array<Vec3, 3> corners;

@@ -26,7 +26,10 @@ Result<void> Timeline::keep(const Simulation& simulation, const HandMark& mark) 
         clear();
         return {};
     }
-    if (auto saved = simulation.world().save(moment.save); !saved) return saved;
+    if (auto saved = simulation.world().save(moment.save); !saved) {
+        clear();
+        return saved;
+    }
     moment.time = simulation.time();
     moment.mark = mark;
     bytes_ += moment.save.size();

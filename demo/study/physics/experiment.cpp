@@ -44,14 +44,15 @@ void Experiment::run(double seconds, float step, const std::function<void()>& ea
 bool Experiment::come_to_rest(double damping, double most_seconds, float still) {
     const float before = must(world_.cloth_settings(cloth_)).air_damping;
     change([&](ClothSettings& settings) { settings.air_damping = static_cast<float>(damping); });
+    constexpr int wanted = 10;
     int still_steps = 0;
     const double steps = most_seconds / static_cast<double>(usual_step);
-    for (int k = 0; k < steps && still_steps < 10; ++k) {
+    for (int k = 0; k < steps && still_steps < wanted; ++k) {
         world_.step(usual_step);
         still_steps = world_.report().peak_speed < still ? still_steps + 1 : 0;
     }
     change([&](ClothSettings& settings) { settings.air_damping = before; });
-    return still_steps > 0;
+    return still_steps == wanted;
 }
 
 void Experiment::change(const std::function<void(ClothSettings&)>& how) {
