@@ -130,6 +130,7 @@ struct NearBalls {
         visit(centre, radius, nearest(centre, radius));
     }
     void operator()(const Edge& edge) const {
+        if (std::holds_alternative<Plane>(other.shape)) return;  // an end is nearest
         constexpr int sections = 14;
         constexpr float golden = 0.618034f, nearer = 1e-5f;  // [m]
         const float length = (edge.b - edge.a).norm();
@@ -187,17 +188,22 @@ Vector3 surface_velocity(const ColliderMotion& motion, const Vector3& point, flo
 
 }  // namespace
 
-void BodyContacts::add(const Collider& own, const HeldShape* held, const ColliderMotion& other, float reach) {
+void BodyContacts::add(const Collider& attached, const HeldShape* held, const BodyPose& pose,
+                       const ColliderMotion& other, float reach) {
+    const Collider own = carried(attached, pose);
     const float thickness = own.thickness + other.end.thickness;
     const float friction = std::sqrt(own.friction * other.end.friction);
     const float restitution = std::max(own.restitution, other.end.restitution);
     const float sight = reach + thickness;
     const auto contact = [&](const Vector3& on_other, const Vector3& normal, float gap) {
         if (!(gap - thickness < reach)) return;
-        add({.arm = (on_other + gap * normal - body_.start.position).cast<double>(),
+        nearest_ = std::min(nearest_, gap - thickness);
+        const Vector3 on_own = on_other + gap * normal;
+        const Vector3 gone = on_own - body_.start * (pose.inverse() * on_own);
+        add({.arm = (on_own - pose.position).cast<double>(),
              .normal = normal.cast<double>(),
              .surface = surface_velocity(other, on_other, body_.h).cast<double>(),
-             .gap = static_cast<double>(gap - thickness),
+             .gap = static_cast<double>(gap - thickness - normal.dot(gone)),
              .friction = static_cast<double>(friction),
              .restitution = static_cast<double>(restitution)});
     };
@@ -218,11 +224,16 @@ void BodyContacts::add(const Collider& own, const HeldShape* held, const Collide
 }
 
 void BodyContacts::add(const Contact& contact) {
-    if (count_ < contacts_.size()) {
+    constexpr double same = 1e-8;  // [m^2]: corners that several triangles share
+    const std::span<Contact> known = std::span(contacts_).first(count_);
+    const auto again = std::ranges::find_if(known, [&](const Contact& other) {
+        return (other.arm - contact.arm).squaredNorm() < same && other.normal.dot(contact.normal) > 0.99;
+    });
+    if (again == known.end() && count_ < most) {
         contacts_[count_++] = contact;
         return;
     }
-    Contact& farthest = *std::ranges::max_element(contacts_, {}, &Contact::gap);
+    Contact& farthest = again != known.end() ? *again : *std::ranges::max_element(known, {}, &Contact::gap);
     if (contact.gap < farthest.gap) farthest = contact;
 }
 
@@ -257,8 +268,12 @@ Vector6 BodyContacts::impulse() const {
         const double along = at.normal.dot(at.surface), opens = -at.gap / h - along;
         const double impact = at.normal.dot(velocity(at, body_.now)) - along;
         row.least = along + std::min(opens, opening);
-        if (impact < opens && impact < -slow)
-            row.least = std::max(row.least, along - at.restitution * impact);
+        if (impact < opens && impact < -slow) {
+            // It leaves at the speed that it would have at this gap on its way up.
+            const double fall = -at.normal.dot((body_.now - body_.velocity).head<3>()) / h;
+            const double squared = std::pow(at.restitution * impact, 2) - 2 * std::max(0.0, fall * at.gap);
+            if (squared > 0) row.least = std::max(row.least, along + std::sqrt(squared));
+        }
     }
     Vector6 sum = Vector6::Zero(), now = body_.now;
     double change = 2 * still;

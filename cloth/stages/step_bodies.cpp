@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/bodies/body_contacts.h"
 #include "cloth/stages/step_bodies.h"
 #include "cloth/stages/worn_step.h"
 #include "engine/bounds.h"
@@ -30,13 +29,6 @@ double inverse(float value) {
 void limit_length(Eigen::Ref<Eigen::Vector3d> v, double most) {
     const double length = v.norm();
     if (length > most) v *= most / length;
-}
-
-/// Bounding box of a collider.
-Bounds box_of(const Collider& collider, const HeldShape* held) {
-    const Sphere ball = ball_around(collider, held);
-    const Vector3 centre = to_vector(ball.center), reach = Vector3::Constant(ball.radius);
-    return {to_vec3(centre - reach), to_vec3(centre + reach)};
 }
 
 /// Whether the impulse is finite in single precision, as hosts get it.
@@ -129,6 +121,12 @@ void load_bodies(Simulation& world) {
 
 }  // namespace
 
+Bounds box_of(const Collider& collider, const HeldShape* held) {
+    const Sphere ball = ball_around(collider, held);
+    const Vector3 centre = to_vector(ball.center), reach = Vector3::Constant(ball.radius);
+    return {to_vec3(centre - reach), to_vec3(centre + reach)};
+}
+
 void begin_bodies(Simulation& world, const Substep& substep) {
     if (!world.body_stage) return;
     BodyStage& stage = *world.body_stage;
@@ -200,43 +198,6 @@ void add_carried_motions(const Simulation& world, std::vector<ColliderMotion>& m
         for (std::size_t k = 0; k < world.body_stage->moving.size(); ++k)
             if (world.body_stage->moving[k].gives_way() == gives_way) add(k);
     world.body_stage->coupling.begin(world.body_stage->moving, world.body_stage->carried, motions);
-}
-
-/// A collider over a part of the substep.
-ColliderMotion over_part(const ColliderMotion& motion, const Substep& substep, const Substep& part) {
-    if (part == substep) return motion;
-    const float whole = substep.end() - substep.begin();
-    ColliderMotion of_part = motion;
-    of_part.start = blend(motion.start, motion.end, (part.begin() - substep.begin()) / whole);
-    of_part.end = blend(motion.start, motion.end, (part.end() - substep.begin()) / whole);
-    return of_part;
-}
-
-/// Keeps a body that moves as expected out of the colliders that no body carries.
-void stop_at_colliders(const Simulation& world, std::size_t number, const Substep& part) {
-    const BodyStage& stage = *world.body_stage;
-    MovingBody& body = world.body_stage->moving[number];
-    body.is_stopped = false;
-    if (stage.others.empty() || !body.gives_way() || !body.now.allFinite()) return;
-    constexpr float about = 0.01f;
-    BodyContacts contacts(body);
-    world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        if (slot.own.is_trigger || slot.body != stage.impulses[number].body) return;
-        const HeldShape* const held = world.held_by(slot.own);
-        const Collider own = carried(slot.own, body.start);
-        const Sphere ball = ball_around(own, held);
-        const float arm = (to_vector(ball.center) - body.start.position).norm() + ball.radius;
-        const auto speed = static_cast<float>(body.now.head<3>().norm()) +
-                           arm * static_cast<float>(body.now.tail<3>().norm());
-        const float reach = about + part.h * speed;
-        const Bounds box = grown(box_of(own, held), own.thickness + reach);
-        for (const ColliderMotion& other : stage.others)
-            if ((other.end.layers & own.layers) != 0 && overlap(box, other.filled))
-                contacts.add(own, held, over_part(other, stage.substep, part), reach);
-    });
-    if (contacts.empty()) return;
-    const Vector6 impulse = contacts.impulse();
-    if (!impulse.isZero(0)) body.stop(impulse);
 }
 
 void take_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& substep) {

@@ -15,6 +15,11 @@ namespace weft {
 void begin_bodies(Simulation& world, const Substep& substep);
 void end_bodies(Simulation& world, const Substep& substep);
 
+/// Bounding box of a collider that is no plane.
+[[nodiscard]] Bounds box_of(const Collider& collider, const HeldShape* held);
+/// Keeps a body that moves as expected out of the colliders that no body carries.
+void stop_at_colliders(Simulation& world, std::size_t number, const Substep& part);
+
 /// Around a group's solve: it integrates bodies over the substep.
 void take_bodies(Simulation& world, std::span<Cloth* const> cloths, const Substep& substep);
 void leave_bodies(Simulation& world, std::span<Cloth* const> cloths);

@@ -144,7 +144,7 @@ TEST(BodyContacts, AFastBallPassesNothingThin) {
             ASSERT_TRUE(scene.world.add_collider(floor));
             const BodyId ball =
                 scene.add_ball(0.02f, {.position = {0.03f, 0.5f, 0.02f}, .velocity = {0, -speed, 0}});
-            for (int k = 0; k < 60; ++k) {
+            for (int k = 0; k < 20; ++k) {  // then it may have rolled off
                 scene.world.step(h);
                 ASSERT_GT(scene.place(ball).y(), -0.02f) << of_triangles << ' ' << speed;
             }
@@ -178,7 +178,7 @@ TEST(BodyContacts, ABallBouncesByTheGreaterRestitution) {
         has_met = has_met || scene.velocity(ball).y() > 0;
         if (has_met) top = std::max(top, scene.place(ball).y() - 0.1f);
     }
-    EXPECT_NEAR(top, 0.25f, 0.05f);
+    EXPECT_NEAR(top, 0.25f, 0.02f);
 }
 
 TEST(BodyContacts, APlatformTakesABoxAlong) {

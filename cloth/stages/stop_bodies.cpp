@@ -1,0 +1,107 @@
+// Bodies that the World's unattached colliders stop.
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloth/bodies/body_contacts.h"
+#include "cloth/stages/step_bodies.h"
+#include "engine/bounds.h"
+
+namespace weft {
+
+namespace {
+
+constexpr float contact_reach = 0.01f;  ///< gap up to which a body at rest has contacts [m]
+
+/// A collider over a part of the substep.
+ColliderMotion over_part(const ColliderMotion& motion, const Substep& substep, const Substep& part) {
+    if (part == substep) return motion;
+    const float whole = substep.end() - substep.begin();
+    ColliderMotion of_part = motion;
+    of_part.start = blend(motion.start, motion.end, (part.begin() - substep.begin()) / whole);
+    of_part.end = blend(motion.start, motion.end, (part.end() - substep.begin()) / whole);
+    return of_part;
+}
+
+/// One body over a part of the substep.
+struct StoppedBody {
+    const Simulation& world;
+    const Substep& part;
+    BodyId id;
+    MovingBody& body;
+
+    template <class Visit>
+    void for_each_own(const Visit& visit) const {
+        world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
+            if (slot.body == id && !slot.own.is_trigger) visit(slot.own, world.held_by(slot.own));
+        });
+    }
+
+    /// Bound on the distance that a point of the body goes in the part [m].
+    [[nodiscard]] float way() const {
+        float radius = 0;
+        for_each_own([&](const Collider& own, const HeldShape* held) {
+            const Sphere ball = ball_around(own, held);
+            radius = std::max(radius, to_vector(ball.center).norm() + ball.radius);
+        });
+        return part.h * (static_cast<float>(body.now.head<3>().norm()) +
+                         radius * static_cast<float>(body.now.tail<3>().norm()));
+    }
+
+    /// Adds the contacts of gaps up to `reach` that the body has at a pose.
+    void find_contacts(const BodyPose& pose, float reach, BodyContacts& contacts) const {
+        const BodyStage& stage = *world.body_stage;
+        for_each_own([&](const Collider& own, const HeldShape* held) {
+            const Bounds box = grown(box_of(carried(own, pose), held), own.thickness + reach);
+            for (const ColliderMotion& other : stage.others)
+                if ((other.end.layers & own.layers) != 0 && overlap(box, other.filled))
+                    contacts.add(own, held, pose, over_part(other, stage.substep, part), reach);
+        });
+    }
+
+    /// Finds the contacts where the body first comes near a collider, by conservative advancement (Mirtich
+    /// 1996, "Impulse-based dynamic simulation of rigid body systems").
+    void find_first_contacts(BodyContacts& contacts) const {
+        constexpr int most_advances = 32;
+        constexpr float near = 0.5f * contact_reach;
+        const float whole = way();
+        float gone = 0;
+        for (int k = 0; k < most_advances; ++k) {
+            contacts.clear();
+            const float t = whole > 0 ? gone / whole : 0;
+            const BodyPose pose{body.start.position + t * (body.end.position - body.start.position),
+                                body.start.rotation.slerp(t, body.end.rotation)};
+            find_contacts(pose, contact_reach + whole - gone, contacts);
+            if (whole < contact_reach || contacts.nearest() < near) return;
+            gone += contacts.nearest();
+            if (!(gone < whole)) break;
+        }
+        contacts.clear();
+    }
+};
+
+}  // namespace
+
+// A body that goes far may slide from its first contact into the next: contacts at its new end are added.
+void stop_at_colliders(Simulation& world, std::size_t number, const Substep& part) {
+    constexpr int most_rounds = 4;
+    BodyStage& stage = *world.body_stage;
+    MovingBody& body = stage.moving[number];
+    body.is_stopped = false;
+    if (stage.others.empty() || !body.gives_way() || !body.now.allFinite()) return;
+    const StoppedBody stopped{world, part, stage.impulses[number].body, body};
+    const MovingBody free = body;
+    const bool is_slow = stopped.way() < contact_reach;
+    BodyContacts contacts(free);
+    stopped.find_first_contacts(contacts);
+    for (int round = 0; round < most_rounds; ++round) {
+        const Vector6 impulse = contacts.impulse();
+        if (impulse.isZero(0)) return;
+        body = free;
+        body.stop(impulse);
+        if (is_slow) return;
+        stopped.find_contacts(body.end, contact_reach, contacts);
+    }
+}
+
+}  // namespace weft
