@@ -1,6 +1,7 @@
 #include "cloth/solver/passes/momentum.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -25,12 +26,13 @@ bool is_held(const StepEquation& equation, std::uint32_t i) {
 PieceSums::Motion& operator+=(PieceSums::Motion& l, const PieceSums::Motion& r) {
     l.first += r.first;
     l.momentum += r.momentum;
+    l.energy += r.energy;
     l.spread += r.spread;
     return l;
 }
 
 PieceSums::Motion motion_of(double m, const Eigen::Vector3d& d, const Eigen::Vector3d& v) {
-    return {m * d, m * v, m * d * v.transpose()};
+    return {m * d, m * v, 0.5 * m * v.squaredNorm(), m * d * v.transpose()};
 }
 
 /// Sum m d v^T about the centre of mass.
@@ -41,6 +43,13 @@ Eigen::Matrix3d about_centre(const PieceSums::Motion& of, double mass) {
 /// Sum m d x v, of sum m d v^T.
 Eigen::Vector3d angular_momentum(const Eigen::Matrix3d& spread) {
     return {spread(1, 2) - spread(2, 1), spread(2, 0) - spread(0, 2), spread(0, 1) - spread(1, 0)};
+}
+
+/// The matrix whose product with x is w x x.
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
+    Eigen::Matrix3d m;
+    m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+    return m;
 }
 
 /// A free particle's part in the sums of its piece.
@@ -85,6 +94,9 @@ void PieceSums::add(const PieceSums& more) {
 // changes it by J s + gamma sum m (s x d) x v, since places change too: linear in s, of which all is exact. J
 // is the inertia. An axis across which the piece has no extent has no spin. No direction counts as easier to
 // turn than by half its inertia: places that turn by a radian a step are beyond what a step resolves.
+//
+// A turn that takes more energy than the step has lost takes it from the piece's motion within itself: limp
+// cloth that crumples in a vacuum would gain energy.
 RigidChange::RigidChange(const PieceSums& sums, float gamma) {
     if (!(sums.row_sum > 0)) return;
     constexpr double thin = 1e-9;  // of the largest moment
@@ -92,7 +104,7 @@ RigidChange::RigidChange(const PieceSums& sums, float gamma) {
     const Eigen::Matrix3d second = sums.second - sums.row_sum * centre * centre.transpose(),
                           start = about_centre(sums.start, sums.mass),
                           end = about_centre(sums.end, sums.mass);
-    const Eigen::Vector3d lacks =
+    Eigen::Vector3d lacks =
         angular_momentum(start - end) + sums.turning - sums.end.first.cross(sums.impulse) / sums.mass;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(
         second.trace() * Eigen::Matrix3d::Identity() - second);
@@ -100,14 +112,26 @@ RigidChange::RigidChange(const PieceSums& sums, float gamma) {
     const Eigen::Vector3d roots =
         (moments.array() > thin * moments[2]).select(moments.cwiseSqrt().cwiseInverse(), 0);
     const Eigen::Matrix3d to_axes = inertia.eigenvectors() * roots.asDiagonal();
+    const Eigen::Vector3d turning = to_axes.transpose() * angular_momentum(end);  // over the moments' roots
+    const Eigen::Vector3d turn = to_axes * turning, drift = sums.end.momentum / sums.mass;
+    const double takes =
+        0.5 * ((turning + to_axes.transpose() * lacks).squaredNorm() - turning.squaredNorm());
+    const double excess = takes - std::max(0.0, sums.start.energy - sums.end.energy);
+    const double within = sums.end.energy - 0.5 * (sums.end.momentum.dot(drift) + turning.squaredNorm());
+    if (excess > 0 && within > 0) share = std::sqrt(std::max(0.0, 1 - excess / within));
+    const Eigen::Matrix3d of_motion_within = end - second * cross_matrix(turn).transpose();
+    lacks += static_cast<double>(gamma) * (1 - share) *
+             (of_motion_within.trace() * turn - of_motion_within * turn);
+
     const Eigen::Matrix3d by_places = end - end.trace() * Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d response =
         Eigen::Matrix3d::Identity() + static_cast<double>(gamma) * to_axes.transpose() * by_places * to_axes;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squared(response.transpose() * response);
     const Eigen::Vector3d ease = squared.eigenvalues().cwiseMax(0.25).cwiseInverse();
-    spin = to_axes * squared.eigenvectors() * ease.asDiagonal() * squared.eigenvectors().transpose() *
-           response.transpose() * to_axes.transpose() * lacks;
-    velocity = sums.missing / sums.row_sum - spin.cross(centre);
+    spin = (1 - share) * turn + to_axes * squared.eigenvectors() * ease.asDiagonal() *
+                                    squared.eigenvectors().transpose() * response.transpose() *
+                                    to_axes.transpose() * lacks;
+    velocity = sums.missing / sums.row_sum + (1 - share) * drift - spin.cross(centre);
 }
 
 void FreePieces::reserve_pairs(std::size_t count) {
@@ -169,9 +193,10 @@ void FreePieces::move(const StepEquation& equation, const RigidChange& of_touchi
         const RigidChange change = piece.touches ? of_touching : RigidChange(piece.sums, equation.gamma);
         if (change.velocity.isZero(0) && change.spin.isZero(0)) continue;
         for (const std::uint32_t i : particles_of(c)) {
-            const Eigen::Vector3d more =
-                change.velocity + change.spin.cross(place(equation, velocities, origin, i));
-            velocities[i] = to_vec4(xyz(velocities[i]) + more.cast<float>(), 0);
+            const Eigen::Vector3d v = xyz(velocities[i]).cast<double>(),
+                                  rigid = change.velocity +
+                                          change.spin.cross(place(equation, velocities, origin, i));
+            velocities[i] = to_vec4((change.share * v + rigid).cast<float>(), 0);
         }
     }
 }

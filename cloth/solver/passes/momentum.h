@@ -20,6 +20,7 @@ struct PieceSums {
     struct Motion {
         Vector first = Vector::Zero();     ///< sum m d [kg m]
         Vector momentum = Vector::Zero();  ///< sum m v [kg m/s]
+        double energy = 0;                 ///< sum m v^2 / 2 [J]
         Matrix spread = Matrix::Zero();    ///< sum m d v^T [kg m^2/s]
     };
 
@@ -35,10 +36,11 @@ struct PieceSums {
     void add(const PieceSums& more);
 };
 
-/// The rigid motion that gives a piece what it lacks: each velocity changes by velocity + spin x d, each
-/// place by gamma times as much.
+/// The change that gives a piece what it lacks: v becomes share v + velocity + spin x d, and each place
+/// changes by gamma times as much.
 struct RigidChange {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), spin = Eigen::Vector3d::Zero();
+    double share = 1;
 
     RigidChange() = default;
     RigidChange(const PieceSums& sums, float gamma);
