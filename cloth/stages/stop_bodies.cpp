@@ -48,6 +48,19 @@ struct StoppedBody {
                          radius * static_cast<float>(body.now.tail<3>().norm()));
     }
 
+    /// Pose once the body has gone this share of its way.
+    [[nodiscard]] BodyPose pose_at(float t) const {
+        return {body.start.position + t * (body.end.position - body.start.position),
+                body.start.rotation.slerp(t, body.end.rotation)};
+    }
+
+    /// Adds the contacts that the body has on its way, every two centimetres.
+    void find_contacts_on_way(BodyContacts& contacts) const {
+        constexpr float apart = 0.02f, most = 16;
+        const float poses = std::clamp(std::ceil(way() / apart), 1.0f, most);
+        for (float k = 1; k <= poses; ++k) find_contacts(pose_at(k / poses), contact_reach, contacts);
+    }
+
     /// Adds the contacts of gaps up to `reach` that the body has at a pose.
     void find_contacts(const BodyPose& pose, float reach, BodyContacts& contacts) const {
         const BodyStage& stage = *world.body_stage;
@@ -68,10 +81,7 @@ struct StoppedBody {
         float gone = 0;
         for (int k = 0; k < most_advances; ++k) {
             contacts.clear();
-            const float t = whole > 0 ? gone / whole : 0;
-            const BodyPose pose{body.start.position + t * (body.end.position - body.start.position),
-                                body.start.rotation.slerp(t, body.end.rotation)};
-            find_contacts(pose, contact_reach + whole - gone, contacts);
+            find_contacts(pose_at(whole > 0 ? gone / whole : 0), contact_reach + whole - gone, contacts);
             if (whole < contact_reach || contacts.nearest() < near) return;
             gone += contacts.nearest();
             if (!(gone < whole)) break;
@@ -82,7 +92,7 @@ struct StoppedBody {
 
 }  // namespace
 
-// A body that goes far may slide from its first contact into the next: contacts at its new end are added.
+// A body that goes far may slide from its first contact into the next: contacts on its new way are added.
 void stop_at_colliders(Simulation& world, std::size_t number, const Substep& part) {
     constexpr int most_rounds = 4;
     BodyStage& stage = *world.body_stage;
@@ -100,7 +110,7 @@ void stop_at_colliders(Simulation& world, std::size_t number, const Substep& par
         body = free;
         body.stop(impulse);
         if (is_slow) return;
-        stopped.find_contacts(body.end, contact_reach, contacts);
+        stopped.find_contacts_on_way(contacts);
     }
 }
 
