@@ -53,6 +53,8 @@ void for_each_corner(const Collider& collider, const HeldShape* held, const Ball
         } else if constexpr (std::is_same_v<Kind, PlacedShape>) {
             const BodyPose pose{to_vector(shape.position), unit(shape.rotation)};
             for (const Vec3& corner : held->corners()) ball(pose * to_vector(corner), 0.0f);
+        } else {
+            static_assert(std::is_same_v<Kind, Plane>);  // it has no corners
         }
     };
     std::visit(visit, collider.shape);
@@ -93,7 +95,8 @@ void for_each_triangle(const HeldShape& held, const Eigen::AlignedBox3f& box, co
     }
 }
 
-/// Visits the corners and edges of a shape's triangles within `reach` of a collider: see for_each_corner().
+/// Visits the corners and edges of a shape's triangles within `reach` of a collider, at most within twice its
+/// radius, as many triangles would be in reach of a fast one: see for_each_corner().
 template <class Ball, class OfEdge>
 void for_each_corner_near(const ColliderMotion& shape, const Collider& to, const HeldShape* held, float reach,
                           const Ball& ball, const OfEdge& edge) {
@@ -101,7 +104,7 @@ void for_each_corner_near(const ColliderMotion& shape, const Collider& to, const
     const BodyPose pose{to_vector(placed.position), unit(placed.rotation)};
     const Sphere about = ball_around(to, held);
     const Vector3 centre = pose.inverse() * to_vector(about.center);
-    const Vector3 half = Vector3::Constant(about.radius + reach);
+    const Vector3 half = Vector3::Constant(about.radius + std::min(reach, about.radius));
     const bool with_edges = !std::holds_alternative<PlacedShape>(to.shape);
     for_each_triangle(*shape.held, {centre - half, centre + half},
                       [&](const std::array<Vector3, 3>& corners) {
@@ -113,9 +116,9 @@ void for_each_corner_near(const ColliderMotion& shape, const Collider& to, const
                       });
 }
 
-/// What a collider's corners and edges are told of another one: the ball of each corner, and of each edge the
-/// ball that is nearest, by golden sections of the signed distance, which is convex along an edge beside a
-/// convex body. Calls ball(centre, radius, nearest surface point).
+/// Nearest surface points of another collider, for the ball of each corner and for the nearest ball of each
+/// edge. Golden sections find that one: beside a convex body the signed distance is convex along an edge.
+/// Calls visit(centre, radius, nearest surface point).
 template <class Visit>
 struct NearBalls {
     const Collider& other;
