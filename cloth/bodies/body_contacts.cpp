@@ -272,7 +272,7 @@ Vector6 BodyContacts::impulse() const {
         const double impact = at.normal.dot(velocity(at, body_.now)) - along;
         row.least = along + std::min(opens, opening);
         if (impact < opens && impact < -slow) {
-            // It leaves at the speed that it would have at this gap on its way up.
+            // The body leaves at the speed that it would have at this gap on its way up.
             const double fall = -at.normal.dot((body_.now - body_.velocity).head<3>()) / h;
             const double squared = std::pow(at.restitution * impact, 2) - 2 * std::max(0.0, fall * at.gap);
             if (squared > 0) row.least = std::max(row.least, along + std::sqrt(squared));

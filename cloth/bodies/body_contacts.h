@@ -10,7 +10,8 @@
 namespace weft {
 
 /// Contacts of one body over a part of a step: places where the corners and edges of its colliders are near
-/// another collider, and the reverse. Edges are those of capsules and boxes.
+/// another collider, and the reverse. Capsules and boxes have edges; a mesh has them where one of these is
+/// near.
 class BodyContacts {
   public:
     explicit BodyContacts(const MovingBody& body) : body_(body) {}

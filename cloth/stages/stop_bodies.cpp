@@ -72,12 +72,11 @@ struct StoppedBody {
         });
     }
 
-    /// Finds the contacts where the body first comes near a collider, by conservative advancement (Mirtich
-    /// 1996, "Impulse-based dynamic simulation of rigid body systems").
-    void find_first_contacts(BodyContacts& contacts) const {
+    /// Finds the contacts where the body, whose way is `whole`, first comes near a collider, by conservative
+    /// advancement (Mirtich 1996, "Impulse-based dynamic simulation of rigid body systems").
+    void find_first_contacts(float whole, BodyContacts& contacts) const {
         constexpr int most_advances = 32;
         constexpr float near = 0.5f * contact_reach;
-        const float whole = way();
         float gone = 0;
         for (int k = 0; k < most_advances; ++k) {
             contacts.clear();
@@ -101,16 +100,18 @@ void stop_at_colliders(Simulation& world, std::size_t number, const Substep& par
     if (stage.others.empty() || !body.gives_way() || !body.now.allFinite()) return;
     const StoppedBody stopped{world, part, stage.impulses[number].body, body};
     const MovingBody free = body;
-    const bool is_slow = stopped.way() < contact_reach;
+    const float whole = stopped.way();
     BodyContacts contacts(free);
-    stopped.find_first_contacts(contacts);
+    stopped.find_first_contacts(whole, contacts);
+    Vector6 last = Vector6::Zero();
     for (int round = 0; round < most_rounds; ++round) {
+        if (round > 0) stopped.find_contacts_on_way(contacts);
         const Vector6 impulse = contacts.impulse();
-        if (impulse.isZero(0)) return;
+        if (impulse == last) return;
         body = free;
         body.stop(impulse);
-        if (is_slow) return;
-        stopped.find_contacts_on_way(contacts);
+        if (whole < contact_reach) return;
+        last = impulse;
     }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include "cloth/equation/contacts.h"
 #include "cloth/equation/pair_rows.h"
@@ -43,13 +44,6 @@ Eigen::Matrix3d about_centre(const PieceSums::Motion& of, double mass) {
 /// Sum m d x v, of sum m d v^T.
 Eigen::Vector3d angular_momentum(const Eigen::Matrix3d& spread) {
     return {spread(1, 2) - spread(2, 1), spread(2, 0) - spread(0, 2), spread(0, 1) - spread(1, 0)};
-}
-
-/// The matrix whose product with x is w x x.
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
-    Eigen::Matrix3d m;
-    m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-    return m;
 }
 
 /// A free particle's part in the sums of its piece.
@@ -119,7 +113,7 @@ RigidChange::RigidChange(const PieceSums& sums, float gamma) {
     const double excess = takes - std::max(0.0, sums.start.energy - sums.end.energy);
     const double within = sums.end.energy - 0.5 * (sums.end.momentum.dot(drift) + turning.squaredNorm());
     if (excess > 0 && within > 0) share = std::sqrt(std::max(0.0, 1 - excess / within));
-    const Eigen::Matrix3d of_motion_within = end - second * cross_matrix(turn).transpose();
+    const Eigen::Matrix3d of_motion_within = end + second.colwise().cross(turn).transpose();
     lacks += static_cast<double>(gamma) * (1 - share) *
              (of_motion_within.trace() * turn - of_motion_within * turn);
 
