@@ -71,23 +71,46 @@ void MovingBody::find_end() {
     Vector6 way = static_cast<double>(h) * now;
     if (!is_stopped) {
         way = static_cast<double>(h - gamma) * velocity + static_cast<double>(gamma) * now;
-        way.tail<3>() = 0.5 * static_cast<double>(h) * (velocity + drift).tail<3>() +
-                        static_cast<double>(gamma) * (now - drift).tail<3>();
+        way.tail<3>() = turn + static_cast<double>(gamma) * (now - drift).tail<3>();
     }
     way = limited(way, static_cast<double>(h));
     end.position = start.position + way.head<3>().cast<float>();
     end.rotation = turned(start.rotation, way.tail<3>().cast<float>());
 }
 
+// Turns about one principal axis after the other, each by its own angular velocity, there and back (Touma and
+// Wisdom 1994, "Lie-Poisson integrators for rigid body dynamics in the solar system"). An impulse before the
+// part turns the body at half of the velocity that it gives.
 void MovingBody::turn_freely() {
-    constexpr int rounds = 8;
+    constexpr double most_turn = 0.25;  // in a round [rad]
+    constexpr int most_rounds = 256;
+    const auto length = static_cast<double>(h);
+    turn = 0.5 * length * (velocity + drift).tail<3>();
+    if (!is_uneven()) return;
+    momentum = inverse_inertia_at(start.rotation).inverse() * drift.tail<3>();
+    const Eigen::Quaterniond begin = start.rotation.cast<double>();
+    Eigen::Quaterniond rotation = begin;
+    Eigen::Vector3d own = begin.conjugate() * momentum;
+    const double twice_energy = own.dot(inverse_inertia.cwiseProduct(own));
+    const double farthest = length * std::sqrt(twice_energy * inverse_inertia.maxCoeff());
+    if (!std::isfinite(farthest)) return;
+    const int rounds = 1 + static_cast<int>(std::min(farthest / most_turn, most_rounds - 1.0));
+    const auto turn_about = [&](int axis, double share) {
+        const double angle = share * length / rounds * inverse_inertia[axis] * own[axis];
+        const Eigen::Quaterniond part(Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)));
+        rotation = rotation * part;
+        own = part.conjugate() * own;
+    };
     for (int round = 0; round < rounds; ++round) {
-        const Eigen::Vector3d mean = 0.5 * (velocity + drift).tail<3>();
-        const Eigen::Vector3d there =
-            inverse_inertia_at(turned(start.rotation, h * mean.cast<float>())) * momentum;
-        if (!there.allFinite()) return;
-        drift.tail<3>() = there;
+        turn_about(0, 0.5);
+        turn_about(1, 0.5);
+        turn_about(2, 1);
+        turn_about(1, 0.5);
+        turn_about(0, 0.5);
     }
+    const Eigen::AngleAxisd gone(rotation * begin.conjugate());
+    turn += gone.angle() * gone.axis() - length * drift.tail<3>();
+    drift.tail<3>() = rotation * inverse_inertia.cwiseProduct(own);
 }
 
 void MovingBody::turn_inertia() {

@@ -32,6 +32,7 @@ struct MovingBody {
     BodyPose start;                      ///< pose when the part begins
     Vector6 velocity = Vector6::Zero();  ///< velocity when it begins
     Vector6 drift = Vector6::Zero();     ///< velocity at the end without cloth
+    Eigen::Vector3d turn = Eigen::Vector3d::Zero();      ///< rotation vector of the part without cloth
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< angular momentum then, if uneven
     Vector6 free = Vector6::Zero();      ///< drift, and what of cloth's impulse is known beforehand
     Matrix6 root = Matrix6::Zero();      ///< its inverse mass is root root^T
@@ -54,10 +55,11 @@ struct MovingBody {
     [[nodiscard]] Eigen::Matrix3d inverse_inertia_at(const Eigen::Quaternionf& rotation) const;
     /// A velocity, or a displacement in `time` seconds, scaled down to the bound `fastest`.
     [[nodiscard]] Vector6 limited(const Vector6& way, double time = 1) const;
-    /// Sets the end as collided particles move: x + (h - gamma) v + gamma v', see History. A body that
-    /// nothing touches turns at the mean of both ends' angular velocities, so that it keeps its energy.
+    /// Sets the end as collided particles move: x + (h - gamma) v + gamma v', see History; and turned by
+    /// `turn`, and by what cloth adds to it.
     void find_end();
-    /// Integrates the rotation of an uneven body that nothing touches, by the implicit midpoint rule.
+    /// Finds `turn`, and the angular velocity after it, of a body that nothing touches. An uneven one keeps
+    /// its momentum to rounding, and its energy, at any speed.
     void turn_freely();
     /// Fixes the inertia at the expected end. An inertia that turned with the solution would amplify small
     /// impulses about other axes, and attached cloth would be flung off.

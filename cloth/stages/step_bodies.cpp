@@ -250,10 +250,7 @@ void start_part_of_bodies(Simulation& world, std::span<Cloth* const> cloths, con
             return body.root * (body.root.transpose() * impulse);
         };
         body.drift += moved_by(others);
-        if (body.is_uneven()) {
-            body.momentum = body.inverse_inertia_at(body.start.rotation).inverse() * body.drift.tail<3>();
-            body.turn_freely();
-        }
+        body.turn_freely();
         body.expected = are_solved_with_bodies(cloths) ? Vector6(expected - echo) : Vector6(Vector6::Zero());
         const auto expect = [&] {
             body.free = body.drift + moved_by(echo);

@@ -32,6 +32,16 @@ HWY_INLINE Mask may_have_passed(const Sweep& sweep, const Lanes3& way, Lanes squ
     return hn::Or(from_behind, hn::And(is_far, is_within));
 }
 
+/// Whether a path stays outside of a convex shape: both of its ends are in front of the plane of the surface
+/// nearest to its end. That plane, not the one of first contact, then keeps the particle away: by the latter
+/// a plate would hold the cloth that is pulled from under its rim.
+template <class Shape, class Mask>
+HWY_INLINE Mask stayed_outside(const Shape& shape, const Lanes3& way, const SurfaceLanes<Mask>& at_end) {
+    const Lanes end = hn::Sub(shape.thickness, at_end.penetration),
+                start = hn::Sub(end, dot(at_end.normal, way));
+    return hn::And(at_end.is_near, hn::Gt(hn::Min(start, end), set(0)));
+}
+
 /// The surface at which a path first comes nearer than the thickness, if the path ends beyond the contact
 /// plane there; otherwise `at_end`. The shape moves this plane along to the substep's end. Paths are straight
 /// in the shape's moving frame, so each substep's path begins where the last one's ended, and nothing slips
@@ -47,7 +57,8 @@ HWY_INLINE SurfaceLanes<Mask> first_met(const Shape& shape, const Sweep& sweep, 
     const Lanes squared = dot(way, way), beyond = set(sweep.beyond);
     auto traced = hn::And(may_meet, hn::Gt(squared, set(sweep.thin * sweep.thin)));
     if (hn::AllFalse(d, traced)) return at_end;
-    if (!convex) traced = hn::And(traced, may_have_passed(sweep, way, squared, at_end));
+    traced = convex ? hn::AndNot(stayed_outside(shape, way, at_end), traced)
+                    : hn::And(traced, may_have_passed(sweep, way, squared, at_end));
     if (hn::AllFalse(d, traced)) return at_end;
 
     const Lanes per_length = hn::Div(set(1), hn::Sqrt(squared)), near = set(0.05f * sweep.thin);
