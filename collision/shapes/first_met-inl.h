@@ -36,10 +36,11 @@ HWY_INLINE Mask may_have_passed(const Sweep& sweep, const Lanes3& way, Lanes squ
 /// nearest to its end. That plane, not the one of first contact, then keeps the particle away: by the latter
 /// a plate would hold the cloth that is pulled from under its rim.
 template <class Shape, class Mask>
-HWY_INLINE Mask stayed_outside(const Shape& shape, const Lanes3& way, const SurfaceLanes<Mask>& at_end) {
-    const Lanes end = hn::Sub(shape.thickness, at_end.penetration),
-                start = hn::Sub(end, dot(at_end.normal, way));
-    return hn::And(at_end.is_near, hn::Gt(hn::Min(start, end), set(0)));
+HWY_INLINE Mask stayed_outside(const Shape& shape, const Lanes3& way, const Lanes3& end, Mask asked) {
+    const auto nearest = shape.surface(end, asked);
+    const Lanes at_end = hn::Sub(shape.thickness, nearest.penetration);
+    const Lanes at_start = hn::Sub(at_end, dot(nearest.normal, way));
+    return hn::Gt(hn::Min(at_start, at_end), set(0));
 }
 
 /// The surface at which a path first comes nearer than the thickness, if the path ends beyond the contact
@@ -57,7 +58,7 @@ HWY_INLINE SurfaceLanes<Mask> first_met(const Shape& shape, const Sweep& sweep, 
     const Lanes squared = dot(way, way), beyond = set(sweep.beyond);
     auto traced = hn::And(may_meet, hn::Gt(squared, set(sweep.thin * sweep.thin)));
     if (hn::AllFalse(d, traced)) return at_end;
-    traced = convex ? hn::AndNot(stayed_outside(shape, way, at_end), traced)
+    traced = convex ? hn::AndNot(stayed_outside(shape, way, end, traced), traced)
                     : hn::And(traced, may_have_passed(sweep, way, squared, at_end));
     if (hn::AllFalse(d, traced)) return at_end;
 

@@ -1,5 +1,4 @@
-// Bodies on the World's colliders: rest, slopes, edges, fast balls, moved platforms, a plate on a pulled
-// cloth.
+// Bodies on the World's colliders: rest, slopes, edges, fast balls, moved platforms.
 
 #include <gtest/gtest.h>
 
