@@ -32,9 +32,9 @@ HWY_INLINE Mask may_have_passed(const Sweep& sweep, const Lanes3& way, Lanes squ
     return hn::Or(from_behind, hn::And(is_far, is_within));
 }
 
-/// Whether a path stays outside of a convex shape: both of its ends are in front of the plane of the surface
-/// nearest to its end. That plane, not the one of first contact, then keeps the particle away: by the latter
-/// a plate would hold the cloth that is pulled from under its rim.
+/// Whether a path stays outside of a convex shape with faces: both of its ends are in front of the plane of
+/// the surface nearest to its end. That plane, not the one of first contact, then keeps the particle away: by
+/// the latter a plate would hold the cloth that is pulled from under its rim.
 template <class Shape, class Mask>
 HWY_INLINE Mask stayed_outside(const Shape& shape, const Lanes3& way, const Lanes3& end, Mask asked) {
     const auto nearest = shape.surface(end, asked);
@@ -58,8 +58,10 @@ HWY_INLINE SurfaceLanes<Mask> first_met(const Shape& shape, const Sweep& sweep, 
     const Lanes squared = dot(way, way), beyond = set(sweep.beyond);
     auto traced = hn::And(may_meet, hn::Gt(squared, set(sweep.thin * sweep.thin)));
     if (hn::AllFalse(d, traced)) return at_end;
-    traced = convex ? hn::AndNot(stayed_outside(shape, way, end, traced), traced)
-                    : hn::And(traced, may_have_passed(sweep, way, squared, at_end));
+    if (!convex)
+        traced = hn::And(traced, may_have_passed(sweep, way, squared, at_end));
+    else if (Shape::has_faces)
+        traced = hn::AndNot(stayed_outside(shape, way, end, traced), traced);
     if (hn::AllFalse(d, traced)) return at_end;
 
     const Lanes per_length = hn::Div(set(1), hn::Sqrt(squared)), near = set(0.05f * sweep.thin);
