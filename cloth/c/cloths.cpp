@@ -101,8 +101,8 @@ WeftResult weft_world_is_asleep(const WeftWorld* world, WeftClothId id, WeftBool
 WeftResult weft_world_wake(WeftWorld* world, WeftClothId id) {
     return on(world, [&](weft::World& of) { return of.wake(id_of(id)); });
 }
-WeftResult weft_world_set_importance(WeftWorld* world, WeftClothId id, float priority, float view_distance) {
-    return on(world, [&](weft::World& of) { return of.set_importance(id_of(id), priority, view_distance); });
+WeftResult weft_world_set_importance(WeftWorld* world, WeftClothId id, float importance) {
+    return on(world, [&](weft::World& of) { return of.set_importance(id_of(id), importance); });
 }
 WeftResult weft_world_cloth_info(const WeftWorld* world, WeftClothId id, WeftClothInfo* info) {
     return on(world, [&](const weft::World& of) { return hand("info", of.cloth_info(id_of(id)), info); });

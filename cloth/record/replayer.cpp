@@ -143,9 +143,8 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
             return with<ClothId, bool>(reader,
                                        [&](ClothId id, bool on) { return world.set_enabled(id, on); });
         case Call::set_importance:
-            return with<ClothId, float, float>(reader, [&](ClothId id, float priority, float distance) {
-                return world.set_importance(id, priority, distance);
-            });
+            return with<ClothId, float>(
+                reader, [&](ClothId id, float importance) { return world.set_importance(id, importance); });
         case Call::wake:
             return with<ClothId>(reader, [&](ClothId id) { return world.wake(id); });
         case Call::pin:

@@ -132,8 +132,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("enabled", a.enabled, b.enabled);
     way("sleep_speed", a.sleep_speed, b.sleep_speed);
     way("frame_inertia", a.frame_inertia, b.frame_inertia);
-    way("priority", a.priority, b.priority);
-    way("view_distance", a.view_distance, b.view_distance);
+    way("importance", a.importance, b.importance);
 }
 
 template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>

@@ -8,6 +8,7 @@
 
 #include "cloth/mesh/coordinates.h"
 #include "cloth/settings/validate.h"
+#include "collision/shapes/collider_motion.h"
 #include "engine/error_text.h"
 
 namespace weft {
@@ -165,9 +166,8 @@ void check(Checks& checks, const SelfCollision& contact) {
                    "SelfCollisionSearch::sorted_sweep"});
 }
 
-void check_importance(Checks& checks, float priority, float view_distance) {
-    checks.between("ClothSettings::priority", priority, 0, 1e6f);
-    checks.between("ClothSettings::view_distance", view_distance, 0, 1e6f);
+void check_importance(Checks& checks, float importance) {
+    checks.between("ClothSettings::importance", importance, 0, 1e6f);
 }
 
 void check(Checks& checks, const AirSource& source) {
@@ -226,13 +226,13 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("FrameInertia::linear", settings.frame_inertia.linear, 0, 1);
     checks.between("FrameInertia::angular", settings.frame_inertia.angular, 0, 1);
     checks.between("FrameInertia::centrifugal", settings.frame_inertia.centrifugal, 0, 1);
-    check_importance(checks, settings.priority, settings.view_distance);
+    check_importance(checks, settings.importance);
     return checks.result();
 }
 
-Result<void> validate_importance(float priority, float view_distance) {
+Result<void> validate_importance(float importance) {
     Checks checks;
-    check_importance(checks, priority, view_distance);
+    check_importance(checks, importance);
     return checks.result();
 }
 
@@ -259,13 +259,7 @@ Result<void> validate_point(const char* name, const Vec3& point) {
 }
 
 Result<void> validate_transform(const char* name, const Transform& pose) {
-    const Rotation& r = pose.rotation;
-    const double length = Eigen::Quaterniond(static_cast<double>(r.w), static_cast<double>(r.x),
-                                             static_cast<double>(r.y), static_cast<double>(r.z))
-                              .norm();
-    if (!(length >= 0.999 && length <= 1.001))  // not-a-number fails, too
-        return out_of_range("the length of " + std::string(name) + ".rotation", length,
-                            "from 0.999 to 1.001");
+    if (auto valid = validate_rotation(std::string(name) + ".rotation", pose.rotation); !valid) return valid;
     if (!is_finite(pose.translation))
         return out_of_range(std::string(name) + ".translation", pose.translation, "finite");
     return {};

@@ -13,7 +13,7 @@ namespace weft {
 [[nodiscard]] Result<void> validate(const ClothSettings& settings);
 [[nodiscard]] Result<void> validate(const BodySettings& settings);
 [[nodiscard]] Result<void> validate(const BodyState& state);
-[[nodiscard]] Result<void> validate_importance(float priority, float view_distance);
+[[nodiscard]] Result<void> validate_importance(float importance);
 /// Error: the settings exclude maps of mass or stiffness.
 [[nodiscard]] Result<void> validate_for_maps(const ClothSettings& settings);
 /// Whether the point is finite, and within runaway_distance of the origin.

@@ -13,8 +13,6 @@ namespace {
 // Steps that a cloth stays on a rung at least: what one rung has left unsolved, the next would solve at once,
 // visibly. A cloth does not rise soon after it fell, or its rung would oscillate.
 constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
-/// Least view distance that is taken into account [m].
-constexpr float nearest = 0.1f;
 
 /// A cloth may take long steps where nothing that it meets or wears changes before one ends.
 bool can_stride(const Simulation& world, const Cloth& cloth) {
@@ -31,8 +29,7 @@ void choose_rungs(Simulation& world) {
         const std::uint32_t unchanged = now - cloth->state.detail->since;
         const std::uint32_t last = can_stride(world, *cloth) ? rung_count - 1 : last_of_rate_1;
         claims.push_back(
-            {.importance = cloth->settings.priority / std::max(cloth->settings.view_distance, nearest) *
-                           static_cast<float>(cloth->model.particle_count),
+            {.importance = cloth->settings.importance * static_cast<float>(cloth->model.particle_count),
              .costs = cloth->budgeted->costs.all(),
              .first = std::min(last, rung - (unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
              .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),

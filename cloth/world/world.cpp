@@ -188,12 +188,11 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
     });
 }
 
-Result<void> World::set_importance(ClothId id, float priority, float view_distance) {
-    return impl_->change(Call::set_importance, id, priority, view_distance)([&] {
+Result<void> World::set_importance(ClothId id, float importance) {
+    return impl_->change(Call::set_importance, id, importance)([&] {
         return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
-            if (auto valid = validate_importance(priority, view_distance); !valid) return valid;
-            cloth.settings.priority = priority;
-            cloth.settings.view_distance = view_distance;
+            if (auto valid = validate_importance(importance); !valid) return valid;
+            cloth.settings.importance = importance;
             return {};
         });
     });

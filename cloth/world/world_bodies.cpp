@@ -48,11 +48,7 @@ Result<void> validate(const BodySettings& settings) {
 
 Result<void> validate(const BodyState& state) {
     if (auto valid = validate_point("BodyState::position", state.position); !valid) return valid;
-    const Rotation& r = state.rotation;
-    const float length = Eigen::Vector4f(r.x, r.y, r.z, r.w).stableNorm();
-    if (!(length >= 0.999f && length <= 1.001f))
-        return out_of_range("the length of BodyState::rotation", static_cast<double>(length),
-                            "from 0.999 to 1.001");
+    if (auto valid = validate_rotation("BodyState::rotation", state.rotation); !valid) return valid;
     const auto is_slow = [](const Vec3& v) {
         return std::abs(v.x) <= 1e4f && std::abs(v.y) <= 1e4f && std::abs(v.z) <= 1e4f;
     };
@@ -65,6 +61,11 @@ Result<void> validate(const BodyState& state) {
 }
 
 namespace {
+
+BodyState normalized(BodyState state) {
+    state.rotation = normalized(state.rotation);
+    return state;
+}
 
 /// Calls `use` with the slot of a body.
 template <class Simulation, class Use>
@@ -83,7 +84,7 @@ Result<BodyId> World::add_body(const BodySettings& settings, const BodyState& st
     return impl_->change(Call::add_body, settings, state)([&]() -> Result<BodyId> {
         if (const auto valid = validate(settings); !valid) return valid.error();
         if (const auto valid = validate(state); !valid) return valid.error();
-        return impl_->simulation.add_body({settings, state});
+        return impl_->simulation.add_body({settings, normalized(state)});
     });
 }
 
@@ -122,7 +123,7 @@ Result<void> World::set_body_state(BodyId id, const BodyState& state) {
     return impl_->change(Call::set_body_state, id, state)([&] {
         return with_body(impl_->simulation, id, [&](BodySlot& slot) -> Result<void> {
             if (auto valid = validate(state); !valid) return valid;
-            slot.state = state;
+            slot.state = normalized(state);
             impl_->simulation.place_carried_colliders();
             return {};
         });

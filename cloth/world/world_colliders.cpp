@@ -92,7 +92,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
         Simulation& simulation = impl_->simulation;
         if (const auto valid = validate(collider); !valid) return valid.error();
         if (const auto there = validate_instance(simulation, collider); !there) return there.error();
-        const ColliderId id = simulation.state.colliders.insert({collider, collider});
+        const ColliderId id = simulation.state.colliders.insert({normalized(collider), normalized(collider)});
         or_undo([&] { simulation.expect_colliders(simulation.state.colliders.size()); },
                 [&] { simulation.state.colliders.erase(id); });
         simulation.wake_near(collider);
@@ -103,7 +103,7 @@ Result<ColliderId> World::add_collider(const Collider& collider) {
 Result<void> World::move_collider(ColliderId id, const Collider& target) {
     return impl_->change(Call::move_collider, id, target)([&] {
         return with_collider(impl_->simulation, id, target,
-                             [&](ColliderSlot& slot) { slot.target = target; });
+                             [&](ColliderSlot& slot) { slot.target = normalized(target); });
     });
 }
 
@@ -111,7 +111,7 @@ Result<void> World::place_collider(ColliderId id, const Collider& place) {
     return impl_->change(Call::place_collider, id, place)([&] {
         return with_collider(impl_->simulation, id, place, [&](ColliderSlot& slot) {
             impl_->simulation.wake_near(slot.current);
-            slot = {.current = place, .target = place};
+            slot.current = slot.target = normalized(place);
             impl_->simulation.wake_near(place);
         });
     });

@@ -151,7 +151,7 @@ Result<void> World::set_frame(ClothId id, const Transform& pose) {
         return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
             if (auto valid = validate_transform("pose", pose); !valid) return valid;
             if (auto valid = validate_point("pose.translation", pose.translation); !valid) return valid;
-            impl_->simulation.set_frame(cloth, pose);
+            impl_->simulation.set_frame(cloth, {pose.translation, normalized(pose.rotation)});
             return {};
         });
     });

@@ -59,16 +59,9 @@ Result<void> validate_shape(const TaperedCapsule& capsule) {
     return validate_radius("TaperedCapsule::radius_b", capsule.radius_b);
 }
 
-Result<void> validate_rotation(const char* name, const Rotation& rotation) {
-    const float length = Eigen::Vector4f(rotation.x, rotation.y, rotation.z, rotation.w).stableNorm();
-    if (!(length >= 0.999f && length <= 1.001f))
-        return out_of_range(name, static_cast<double>(length), "from 0.999 to 1.001");
-    return {};
-}
-
 Result<void> validate_shape(const Box& box) {
     if (auto center = validate_point("Box::center", box.center); !center) return center;
-    if (auto turn = validate_rotation("the length of Box::rotation", box.rotation); !turn) return turn;
+    if (auto turn = validate_rotation("Box::rotation", box.rotation); !turn) return turn;
     for (const float half : {box.half_extents.x, box.half_extents.y, box.half_extents.z})
         if (!(half >= least_radius && half <= farthest))
             return out_of_range("Box::half_extents", box.half_extents, "from 1e-6 to 1e5 m on each axis");
@@ -77,7 +70,7 @@ Result<void> validate_shape(const Box& box) {
 
 Result<void> validate_shape(const PlacedShape& placed) {
     if (auto at = validate_point("PlacedShape::position", placed.position); !at) return at;
-    return validate_rotation("the length of PlacedShape::rotation", placed.rotation);
+    return validate_rotation("PlacedShape::rotation", placed.rotation);
 }
 
 float blend(float from, float to, float t) {
@@ -126,6 +119,25 @@ PlacedShape blend(const PlacedShape& from, const PlacedShape& to, float t) {
 }
 
 }  // namespace
+
+Result<void> validate_rotation(const std::string& name, const Rotation& rotation) {
+    const float length = Eigen::Vector4f(rotation.x, rotation.y, rotation.z, rotation.w).stableNorm();
+    if (!(length >= 1e-6f && length <= 1e6f))
+        return out_of_range("the length of " + name, static_cast<double>(length), "from 1e-6 to 1e6");
+    return {};
+}
+
+Rotation normalized(const Rotation& rotation) {
+    const Eigen::Quaternionf r = unit(rotation);
+    return {r.x(), r.y(), r.z(), r.w()};
+}
+
+Collider normalized(Collider collider) {
+    if (auto* const box = std::get_if<Box>(&collider.shape)) box->rotation = normalized(box->rotation);
+    if (auto* const placed = std::get_if<PlacedShape>(&collider.shape))
+        placed->rotation = normalized(placed->rotation);
+    return collider;
+}
 
 Result<void> validate(const Collider& collider) {
     if (!(collider.friction >= 0 && collider.friction <= most_friction))

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 
 #include "engine/bounds.h"
 #include "engine/vector.h"
@@ -32,6 +33,12 @@ struct ColliderMotion {
 
 /// Error: a value outside its range in collider.h.
 [[nodiscard]] Result<void> validate(const Collider& collider);
+
+/// Error: a length outside Rotation's range. `name` says whose rotation it is.
+[[nodiscard]] Result<void> validate_rotation(const std::string& name, const Rotation& rotation);
+/// The rotation by a unit quaternion; and the collider with its shape's rotation so.
+[[nodiscard]] Rotation normalized(const Rotation& rotation);
+[[nodiscard]] Collider normalized(Collider collider);
 
 /// The collider a fraction t of the way from `from` to `to`: points, radius, offset and numbers are blended,
 /// normals blended and normalised; layers are `to`'s. Precondition: the same alternative in both.

@@ -96,7 +96,7 @@ Player::Answered Player::make(const Operation& operation, const Wake&) {
 }
 
 Player::Answered Player::make(const Operation& operation, const SetImportance& call) {
-    return world_.set_importance(*cloths_[operation.cloth], call.priority, call.view_distance);
+    return world_.set_importance(*cloths_[operation.cloth], call.importance);
 }
 
 Player::Answered Player::make(const Operation& operation, const Pin& call) {

@@ -544,9 +544,8 @@ void Author::wake() {
 void Author::set_importance() {
     const bool is_wrong = random_.chance(0.1);
     const float wrong = random_.one_of({-1.0f, std::numeric_limits<float>::quiet_NaN(), 1.1e6f});
-    const float priority = random_.one_of({0.0f, 1.0f, 1e6f}), distance = random_.one_of({0.0f, 1.0f, 1e6f});
-    add(SetImportance{priority, is_wrong ? wrong : distance}, is_wrong ? Answer::refused : Answer::accepted,
-        any_of(cloths_));
+    add(SetImportance{is_wrong ? wrong : random_.one_of({0.0f, 1e-3f, 1.0f, 1e6f})},
+        is_wrong ? Answer::refused : Answer::accepted, any_of(cloths_));
 }
 
 void Author::ask() {

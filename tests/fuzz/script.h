@@ -33,7 +33,7 @@ struct SetEnabled {
 };
 struct Wake {};
 struct SetImportance {
-    float priority, view_distance;
+    float importance;
 };
 struct SetClothSettings {
     ClothSettings settings;

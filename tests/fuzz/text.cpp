@@ -111,26 +111,14 @@ static std::string text_of(const SelfCollision& s) {
                    text_of(s.search), text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
 }
 std::string text_of(const ClothSettings& s) {
-    return braced("ClothSettings", {text_of(s.fabric),
-                                    text_of(s.finite_elements),
-                                    std::visit([](const auto& method) { return text_of(method); }, s.method),
-                                    text_of(s.time_scheme),
-                                    text_of(s.substeps),
-                                    text_of(s.tethers),
-                                    text_of(s.self_collision),
-                                    text_of(s.air_damping),
-                                    text_of(s.thickness),
-                                    text_of(s.friction),
-                                    text_of(s.restitution),
-                                    text_of(s.collider_mask),
-                                    text_of(s.collider_response),
-                                    text_of(s.frame_inertia.linear),
-                                    text_of(s.frame_inertia.angular),
-                                    text_of(s.frame_inertia.centrifugal),
-                                    text_of(s.enabled),
-                                    text_of(s.sleep_speed),
-                                    text_of(s.priority),
-                                    text_of(s.view_distance)});
+    return braced("ClothSettings",
+                  {text_of(s.fabric), text_of(s.finite_elements),
+                   std::visit([](const auto& method) { return text_of(method); }, s.method),
+                   text_of(s.time_scheme), text_of(s.substeps), text_of(s.tethers), text_of(s.self_collision),
+                   text_of(s.air_damping), text_of(s.thickness), text_of(s.friction), text_of(s.restitution),
+                   text_of(s.collider_mask), text_of(s.collider_response), text_of(s.frame_inertia.linear),
+                   text_of(s.frame_inertia.angular), text_of(s.frame_inertia.centrifugal), text_of(s.enabled),
+                   text_of(s.sleep_speed), text_of(s.importance)});
 }
 
 static std::string text_of(const AirSource& a) {
@@ -314,7 +302,7 @@ static std::string text_of(const Wake&) {
     return "wake()";
 }
 static std::string text_of(const SetImportance& call) {
-    return "set_importance(" + text_of(call.priority) + ", " + text_of(call.view_distance) + ")";
+    return "set_importance(" + text_of(call.importance) + ")";
 }
 static std::string text_of(const Ask&) {
     return "all that can be asked";

@@ -223,7 +223,7 @@ std::vector<Call> other_calls() {
     add("set_settings_gusts", set([](WorldSettings& s) { s.wind.gust = 0.5f; }));
     add("set_settings_no_air", set([](WorldSettings& s) { s.wind.air_density = 0; }));
     add("set_settings_budget", set([](WorldSettings& s) { s.budget = 1000; }));
-    add("set_importance", [](Scene& s) { return s.world.set_importance(s.cloth, 2, 20); });
+    add("set_importance", [](Scene& s) { return s.world.set_importance(s.cloth, 2); });
     add("set_settings_substeps", set([](WorldSettings& s) { s.substeps = 3; }));
     add("set_settings_threads", set([](WorldSettings& s) { s.threads = 2; }));
 

@@ -115,10 +115,10 @@ struct ClothSettings {
     /// that may touch sleep together. In gusts no cloth sleeps. 0.01 is hardly visible; 0: it never sleeps.
     float sleep_speed = 0;
     FrameInertia frame_inertia{};
-    /// Weight of an error of its motion, 0 to 1e6, over view_distance, where WorldSettings::budget is not
-    /// enough for all. 0: out of sight; the cloth gets the least time. See World::set_importance.
-    float priority = 1;
-    float view_distance = 1;  ///< distance from the viewer [m], 0 to 1e6; below 0.1 it counts as 0.1
+    /// Weight of an error of its motion, 0 to 1e6, where WorldSettings::budget is not enough for all: such as
+    /// 1 over the distance from the viewer [m]. 0: out of sight; the cloth gets the least time. See
+    /// World::set_importance.
+    float importance = 1;
 };
 
 /// Kinds of air sources.

@@ -105,8 +105,8 @@ class WEFT_API World {
     /// See ClothSettings::sleep_speed.
     [[nodiscard]] Result<bool> is_asleep(ClothId id) const;
     Result<void> wake(ClothId id);
-    /// Sets ClothSettings::priority and view_distance, at no cost: once a frame, for WorldSettings::budget.
-    Result<void> set_importance(ClothId id, float priority, float view_distance);
+    /// Sets ClothSettings::importance, at no cost: once a frame, for WorldSettings::budget.
+    Result<void> set_importance(ClothId id, float importance);
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     /// Returns the cloth's buffers. The World owns the view, so that a loop over world.cloth(id)->positions
     /// is sound; the next call for the same cloth overwrites it. When the cloth is removed the view becomes

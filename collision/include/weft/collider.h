@@ -29,9 +29,10 @@ struct TaperedCapsule {
     float radius_b = 0.05f;  ///< [m], from 1e-6 to 1e5
 };
 
-/// A rotation as a quaternion: x, y and z are the axis times sin(angle / 2), w is cos(angle / 2).
+/// A rotation as a quaternion: x, y and z are the axis times sin(angle / 2), w is cos(angle / 2). It may have
+/// any length from 1e-6 to 1e6, and counts as the unit quaternion of its direction.
 struct Rotation {
-    float x = 0, y = 0, z = 0, w = 1;  ///< length of the quaternion from 0.999 to 1.001
+    float x = 0, y = 0, z = 0, w = 1;
 };
 
 struct Box {

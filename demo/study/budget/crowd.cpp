@@ -67,8 +67,7 @@ bool Crowd::is_seen(std::size_t cloth) const {
 double Crowd::step() {
     ++steps_;
     for (std::size_t i = 0; i < size(); ++i) {
-        cloths_[i]->settings.priority = is_seen(i) ? 1.0f : 0.02f;
-        cloths_[i]->settings.view_distance = distances_[i];
+        cloths_[i]->settings.importance = (is_seen(i) ? 1.0f : 0.02f) / distances_[i];
     }
     const std::int64_t begin = processor_nanoseconds();
     simulation_.step(frame);

@@ -325,6 +325,24 @@ TEST(Bodies, ABallBetweenTwoClothsRestsOnTheLowerOne) {
     EXPECT_NEAR(force, 9.81f, 0.2f) << "of " << above << " N that come from above";
 }
 
+// Hosts have quaternions with rounding, or that they blended.
+TEST(Bodies, ARotationCountsByItsDirection) {
+    const auto hash = [](float length) {
+        World world = World::create({.threads = 1}).value();
+        const Rotation tilted{0.36f * length, 0.48f * length, 0, 0.8f * length};
+        const ClothId sheet = world.add_cloth(*make_sheet({.rows = 9, .columns = 9})).value();
+        const BodyId body = world.add_body({}, {.position = {0.5f, -0.3f, 0.5f}, .rotation = tilted}).value();
+        const ColliderId box =
+            world.add_collider({.shape = Box{.center = {0.4f, -0.2f, 0.4f}, .rotation = tilted}}).value();
+        EXPECT_TRUE(world.attach_collider(body, box));
+        EXPECT_TRUE(world.set_frame(sheet, {.rotation = tilted}));
+        EXPECT_TRUE(world.move_cloth(sheet, {.rotation = tilted}));
+        for (int k = 0; k < 20; ++k) world.step(body_step);
+        return world.state_hash();
+    };
+    for (const float length : {2.0f, 64.0f, 1.0f / 1024}) EXPECT_EQ(hash(length), hash(1)) << length;
+}
+
 TEST(Bodies, TakeNoCallThatMakesNoSense) {
     World world = World::create().value();
     EXPECT_NE(world.add_body({.mass = -1}).error().message.find("BodySettings::mass is -1"),

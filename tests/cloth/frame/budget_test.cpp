@@ -125,8 +125,8 @@ TEST(Budget, WithRoomForAllNothingIsReduced) {
 TEST(Budget, GoesToWhatCounts) {
     Hall hall(0.8f);
     for (std::size_t i = 0; i < 20; ++i)
-        hall.cloths[i]->settings.view_distance = 1 + 5 * static_cast<float>(i);
-    hall.cloths[3]->settings.priority = 0;
+        hall.cloths[i]->settings.importance = 1 / (1 + 5 * static_cast<float>(i));
+    hall.cloths[3]->settings.importance = 0;
     hall.run(200);
     EXPECT_EQ(hall.rung(0), 0u);
     EXPECT_EQ(hall.rung(3), rung_count - 1);
@@ -134,21 +134,11 @@ TEST(Budget, GoesToWhatCounts) {
         if (i != 3 && i != 4) {
             EXPECT_GE(hall.rung(i), hall.rung(i - 1)) << i;
         }
-    std::swap(hall.cloths[0]->settings.view_distance, hall.cloths[19]->settings.view_distance);
+    std::swap(hall.cloths[0]->settings.importance, hall.cloths[19]->settings.importance);
     hall.run(120);
     for (std::size_t i = 0; i < 19; ++i) EXPECT_LE(hall.rung(19), hall.rung(i)) << i;
     EXPECT_LE(hall.rung(19), 1u);
     EXPECT_GE(hall.rung(0), 1u) << "it keeps what nobody else needs";
-}
-
-TEST(Budget, NobodyLooksFromNearerThanTenCentimetres) {
-    Hall hall(0.18f, 2);  // for one of the two as it is set
-    hall.cloths[0]->settings.priority = 2;
-    hall.cloths[0]->settings.view_distance = 0.1f;
-    hall.cloths[1]->settings.view_distance = 0;
-    hall.run(200);
-    EXPECT_EQ(hall.rung(0), 0u);
-    EXPECT_GT(hall.rung(1), 0u);
 }
 
 // What is learnt of a rung when it is new says nothing of the others.
@@ -401,15 +391,13 @@ TEST(Budget, RefusesWhatIsNoTimeAndNoPriority) {
         refuses(World::create({.budget = budget}), "WorldSettings::budget");
     World world = World::create({.threads = 1, .budget = 1}).value();
     const ClothId cloth = world.add_cloth(sheet(0)).value();
-    ASSERT_TRUE(world.set_importance(cloth, 2, 30));
+    ASSERT_TRUE(world.set_importance(cloth, 2));
     for (const float bad : {-1.0f, nan, 1e7f}) {
-        refuses(world.set_importance(cloth, bad, 1), "ClothSettings::priority");
-        refuses(world.set_importance(cloth, 1, bad), "ClothSettings::view_distance");
-        refuses(world.set_cloth_settings(cloth, {.priority = bad}), "ClothSettings::priority");
+        refuses(world.set_importance(cloth, bad), "ClothSettings::importance");
+        refuses(world.set_cloth_settings(cloth, {.importance = bad}), "ClothSettings::importance");
     }
-    EXPECT_EQ(world.cloth_settings(cloth)->priority, 2);
-    EXPECT_EQ(world.cloth_settings(cloth)->view_distance, 30);
-    refuses(world.set_importance({}, 1, 1), "ClothId");
+    EXPECT_EQ(world.cloth_settings(cloth)->importance, 2);
+    refuses(world.set_importance({}, 1), "ClothId");
 }
 
 /// A World of its own whose budget is tight: rungs change with what time it is.
@@ -425,7 +413,7 @@ struct Game {
         for (int s = 0; s < steps; ++s) {
             for (std::size_t i = 0; i < cloths.size(); ++i)
                 EXPECT_TRUE(world.set_importance(
-                    cloths[i], 1, 1 + static_cast<float>((i + static_cast<std::size_t>(s) / 10) % 6)));
+                    cloths[i], 1 / (1 + static_cast<float>((i + static_cast<std::size_t>(s) / 10) % 6))));
             if (s % 40 == 20) budget(1e-4f);
             if (s % 40 == 39) budget(100);
             if (s % 16 == 9) {

@@ -139,7 +139,7 @@ std::vector<NamedCall> calls() {
              (void)s.world.set_enabled(s.cloths[0], true);
          }},
         {"wake", [](Scene& s) { (void)s.world.wake(s.cloths[3]); }},
-        {"set_importance", [](Scene& s) { (void)s.world.set_importance(s.cloths[0], 2, 9); }},
+        {"set_importance", [](Scene& s) { (void)s.world.set_importance(s.cloths[0], 2); }},
         {"pin",
          [](Scene& s) {
              (void)s.world.pin(s.cloths[1], std::vector<std::uint32_t>{3, 9});

@@ -148,7 +148,7 @@ struct EveryCall {
         EXPECT_TRUE(world.set_cloth_settings(cloths[1], stiff));
         EXPECT_TRUE(world.set_enabled(cloths[3], false));
         EXPECT_TRUE(world.wake(cloths[1]));
-        EXPECT_TRUE(world.set_importance(cloths[1], 2, 30));
+        EXPECT_TRUE(world.set_importance(cloths[1], 2));
         EXPECT_TRUE(world.unpin(cloths[0], 8));
         cut();
         EXPECT_TRUE(world.shift_origin({1, 0, 2}));

@@ -165,7 +165,7 @@ TEST(MoveCloth, RefusesWhatIsNoMotion) {
         return result ? std::string() : result.error().message;
     };
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(refusal({.rotation = {0, 0, 0, 0.5f}}).find("by.rotation is 0.5"), std::string::npos);
+    EXPECT_NE(refusal({.rotation = {0, 0, 0, 0}}).find("by.rotation is 0"), std::string::npos);
     EXPECT_NE(refusal({.rotation = {0, nan, 0, 1}}).find("by.rotation is nan"), std::string::npos);
     EXPECT_NE(refusal({.translation = {0, nan, 0}}).find("by.translation"), std::string::npos);
     EXPECT_NE(refusal({.translation = {99999.8f, 0, 0}}).find("vertex 3 once moved"), std::string::npos);

@@ -227,7 +227,7 @@ static WeftClothId add_cloths(WeftWorld* world, const WeftMesh* mesh, const Weft
     seen.air_damping = 0.3f;
     TAKES(weft_world_set_cloth_settings(world, cloth, &seen));
     TAKES(weft_world_cloth_info(world, cloth, &info));
-    TAKES(weft_world_set_importance(world, cloth, 2, 3));
+    TAKES(weft_world_set_importance(world, cloth, 2));
     TAKES(weft_world_wake(world, cloth));
     TAKES(weft_world_is_asleep(world, cloth, &asleep));
     CHECK(!asleep);

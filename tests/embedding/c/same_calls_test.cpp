@@ -78,7 +78,7 @@ Tape calls_in_cpp(const Given& given) {
     const ClothId cloth = tape.note(world.add_cloth(mesh, {.friction = 0.4f}).value());
     const CookedCloth cooked = CookedCloth::create(mesh).value();
     const ClothId other = tape.note(world.add_cloth(cooked, given.by).value());
-    EXPECT_TRUE(world.set_importance(cloth, 2, 3).ok());
+    EXPECT_TRUE(world.set_importance(cloth, 2).ok());
     EXPECT_TRUE(world.set_enabled(other, false).ok());
     EXPECT_TRUE(world.set_enabled(other, true).ok());
     EXPECT_TRUE(world.pin(cloth, given.corners).ok());
@@ -201,7 +201,7 @@ Tape calls_in_c(const Given& given) {
     EXPECT_EQ(weft_world_add_cooked_cloth(world, cooked, &by, &other), WEFT_OK);
     tape.note(other);
     const auto& corners = given.corners;
-    EXPECT_EQ(weft_world_set_importance(world, cloth, 2, 3), WEFT_OK);
+    EXPECT_EQ(weft_world_set_importance(world, cloth, 2), WEFT_OK);
     EXPECT_EQ(weft_world_set_enabled(world, other, 0), WEFT_OK);
     EXPECT_EQ(weft_world_set_enabled(world, other, 2), WEFT_OK);  // all but 0 is true
     EXPECT_EQ(weft_world_pin(world, cloth, corners.data(), 2), WEFT_OK);

@@ -92,7 +92,7 @@ typedef struct WeftClothSettings {
     WeftBool enabled;
     float sleep_speed;
     WeftFrameInertia frame_inertia;
-    float priority, view_distance;
+    float importance;
 } WeftClothSettings;
 
 // weft/settings.h: AirSource
