@@ -22,7 +22,7 @@ Result<void> apply_to_cloths(World& world, const SceneContent& content, const Ov
                                                               " does not iterate; leave --iterations out"};
             set_iterations(settings->method, *overrides.iterations);
         }
-        if (overrides.contact) set_rung(settings->self_collision, *overrides.contact);
+        if (overrides.contact) set_method(settings->self_collision, *overrides.contact);
         if (auto set = world.set_cloth_settings(cloth.id, *settings); !set) return set.error();
     }
     return {};

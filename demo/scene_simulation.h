@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "demo/cutting/cut_scene.h"
-#include "demo/rung.h"
 #include "demo/scene.h"
+#include "demo/self_collision.h"
 
 namespace weft::demo {
 
@@ -18,7 +18,7 @@ struct Overrides {
     std::optional<Fabric> fabric;
     std::optional<int> iterations;  ///< of the method, whichever it is
     std::optional<int> substeps;
-    std::optional<Rung> contact;
+    std::optional<SelfCollisionMethod> contact;
     int threads = 0;               ///< 0: one per core
     std::filesystem::path record;  ///< file for a recording of the World's calls; empty: none
 };

@@ -35,8 +35,7 @@ struct Choices {
     int count;
 };
 // clang-format off
-constexpr Choices choices(SelfCollisionSearch) { return {"SelfCollision::search", WEFT_SEARCH_SORTED_SWEEP + 1}; }
-constexpr Choices choices(SelfCollisionMethod) { return {"SelfCollision::method", WEFT_SELF_IMPACT_ZONES + 1}; }
+constexpr Choices choices(SelfCollisionMethod) { return {"SelfCollision::method", WEFT_SELF_AVOIDANCE_BY_SORTED_SWEEP + 1}; }
 constexpr Choices choices(ColliderResponse) { return {"ClothSettings::collider_response", WEFT_RESPONSE_VELOCITY_FILTER + 1}; }
 constexpr Choices choices(TimeScheme) { return {"ClothSettings::time_scheme", WEFT_TIME_BDF2 + 1}; }
 constexpr Choices choices(Fibres::SetSolver) { return {"a set solver of Fibres", WEFT_SET_LDLT + 1}; }

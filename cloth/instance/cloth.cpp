@@ -33,18 +33,18 @@ float floor_of(const ContactMesh& mesh, float radius) {
     return std::clamp(0.5f * mesh.least_height(), 0.02f * floor, floor);
 }
 
+bool has_avoidance(const SelfCollision& settings) {
+    return search_of(settings.method).has_value();
+}
+
 float distance_of(const ClothModel& model, const SelfCollision& of) {
-    const float part = of.method == SelfCollisionMethod::avoidance ? 0.75f : 0.3f;
+    const float part = has_avoidance(of) ? 0.75f : 0.3f;
     return of.distance > 0 ? of.distance : part * model.info.mean_edge;
 }
 
 /// Capacity for the pairs of features that are in the equation.
 std::size_t pairs_in_equation(const ClothModel& model, const SelfCollision& of) {
     return has_features(of) && !has_zones(of) ? FeatureContact::room_for_pairs(model.particle_count) : 0;
-}
-
-bool has_avoidance(const SelfCollision& settings) {
-    return settings.enabled && settings.method == SelfCollisionMethod::avoidance;
 }
 
 /// The mesh of features, with the rest positions by which searches pass over calm parts: of a grid its flat
@@ -93,7 +93,7 @@ Result<RestNeighbours> find_rest_neighbours(const ClothModel& model, const SelfC
 
 Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings) {
     if constexpr (has_exceptions) return {};
-    if (!settings.self_collision.enabled) return {};
+    if (settings.self_collision.method == SelfCollisionMethod::off) return {};
     if (auto found = find_rest_neighbours(model, settings.self_collision); !found) return found.error();
     return {};
 }
@@ -181,15 +181,15 @@ void Cloth::apply_to_model(const ClothSettings& changed, const MakeRoom& make_ro
     }
     const SelfCollision& self_collision = changed.self_collision;
     std::optional<SelfContacts> new_self_contacts;
-    if (has_avoidance(self_collision) &&
-        !(self_contacts && self_contacts->has_memory_for(self_collision.search)))
-        new_self_contacts.emplace(model.positions.span(), self_collision.search);
+    const std::optional<SelfCollisionSearch> search = search_of(self_collision.method);
+    if (search && !(self_contacts && self_contacts->has_memory_for(*search)))
+        new_self_contacts.emplace(model.positions.span(), *search);
     std::optional<FeatureBuffers> new_features = make_features(self_collision);
     std::optional<RestNeighbours> new_rest_neighbours;
     const float distance = distance_of(self_collision);
     const bool same_method = self_collision.method == settings.self_collision.method;
     const bool same_springs = changed.fabric.bending_ratio == settings.fabric.bending_ratio;
-    if (self_collision.enabled &&
+    if (self_collision.method != SelfCollisionMethod::off &&
         (!rest_neighbours || rest_neighbours->distance() != distance || !same_method || !same_springs)) {
         Result<RestNeighbours> found = find_rest_neighbours(model, self_collision);
         if (!found) refuse(found.error());
@@ -240,7 +240,7 @@ void Cloth::apply_to_model(const ClothSettings& changed, const MakeRoom& make_ro
     take_features(std::move(new_features), self_collision);
     scratch_bytes = bytes;
     if (has_features() && (meets_others || !same_method)) state.may_cross = 1;
-    if (!self_collision.enabled) rest_neighbours.reset();
+    if (self_collision.method == SelfCollisionMethod::off) rest_neighbours.reset();
     take_contacts(std::move(new_contacts), has_colliders_);
 }
 

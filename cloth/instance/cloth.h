@@ -107,11 +107,24 @@ struct ShownCloth {
 
 /// Whether a cloth with these settings has features in contact.
 [[nodiscard]] inline bool has_features(const SelfCollision& settings) {
-    return settings.enabled && settings.method != SelfCollisionMethod::avoidance;
+    return meets_cloth(settings.method);
+}
+/// How avoidance searches; nothing by other methods.
+[[nodiscard]] inline std::optional<SelfCollisionSearch> search_of(SelfCollisionMethod method) {
+    switch (method) {
+        case SelfCollisionMethod::avoidance:
+            return SelfCollisionSearch::exact;
+        case SelfCollisionMethod::avoidance_by_shifted_grids:
+            return SelfCollisionSearch::shifted_grids;
+        case SelfCollisionMethod::avoidance_by_sorted_sweep:
+            return SelfCollisionSearch::sorted_sweep;
+        default:
+            return std::nullopt;
+    }
 }
 /// Whether impact zones resolve these features, which then are not in the equation.
 [[nodiscard]] inline bool has_zones(const SelfCollision& settings) {
-    return settings.enabled && settings.method == SelfCollisionMethod::impact_zones;
+    return settings.method == SelfCollisionMethod::impact_zones;
 }
 
 /// Whether colliders are in the equation, provided that the solver is implicit.

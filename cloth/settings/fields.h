@@ -70,11 +70,9 @@ constexpr void for_both(A& a, B& b, const Way& way) {
 
 template <FieldsOf<SelfCollision> A, FieldsOf<SelfCollision> B, class Way>
 constexpr void for_both(A& a, B& b, const Way& way) {
-    way("enabled", a.enabled, b.enabled);
     way("method", a.method, b.method);
     way("distance", a.distance, b.distance);
     way("friction", a.friction, b.friction);
-    way("search", a.search, b.search);
     way("restitution", a.restitution, b.restitution);
     way("layers", a.layers, b.layers);
     way("mask", a.mask, b.mask);

@@ -152,18 +152,17 @@ void check_together(Checks& checks, const ClothSettings& settings) {
 }
 
 void check(Checks& checks, const SelfCollision& contact) {
-    checks.one_of("SelfCollision::method", contact.method,
-                  {"SelfCollisionMethod::avoidance", "SelfCollisionMethod::contact",
-                   "SelfCollisionMethod::impact_zones"});
+    checks.one_of(
+        "SelfCollision::method", contact.method,
+        {"SelfCollisionMethod::off", "SelfCollisionMethod::contact", "SelfCollisionMethod::impact_zones",
+         "SelfCollisionMethod::avoidance", "SelfCollisionMethod::avoidance_by_shifted_grids",
+         "SelfCollisionMethod::avoidance_by_sorted_sweep"});
     checks.between("SelfCollision::restitution", contact.restitution, 0, 1);
     checks.allow(contact.restitution == 0 || contact.method == SelfCollisionMethod::impact_zones,
                  "SelfCollision::restitution is not 0, and only impact zones have one; it must be 0, or "
                  "SelfCollision::method SelfCollisionMethod::impact_zones");
     checks.zero_or_between("SelfCollision::distance", contact.distance, 1e-6f, 10);
     checks.between("SelfCollision::friction", contact.friction, 0, 1000);
-    checks.one_of("SelfCollision::search", contact.search,
-                  {"SelfCollisionSearch::exact", "SelfCollisionSearch::shifted_grids",
-                   "SelfCollisionSearch::sorted_sweep"});
 }
 
 void check_importance(Checks& checks, float importance) {

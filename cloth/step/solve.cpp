@@ -189,7 +189,7 @@ void avoid_self_collision(Simulation& world, Worker& worker, Cloth& cloth, float
         const auto timer = world.timed(Stage::self_search);
         cloth.self_contacts->find(worker.parallel, cloth.state.positions.span(),
                                   cloth.rest_neighbours->filter(), distance,
-                                  cloth.settings.self_collision.search);
+                                  *search_of(cloth.settings.self_collision.method));
     }
     const auto timer = world.timed(Stage::self_response);
     if (world.reports_contacts()) log_avoidance(worker, cloth, h);

@@ -29,7 +29,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Raised with each change of the format below, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 9;
+constexpr std::uint32_t cooked_version = 10;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 
 struct CookedHead {
@@ -289,7 +289,7 @@ Result<ReadCloth> read(const CookedHead& head, const KeptBytes& bytes, const Clo
     if (!has_its_bending) model = with_bending_ratio(std::move(model), settings.fabric.bending_ratio);
     if (!has_its_bending || (levels && levels->kind != SystemKind(settings))) levels.reset();
     if (!has_features(settings.self_collision)) contact_mesh.reset();
-    if (!has_its_bending || !settings.self_collision.enabled ||
+    if (!has_its_bending || settings.self_collision.method == SelfCollisionMethod::off ||
         has_features(settings.self_collision) != by_features)
         neighbours.reset();
     return ReadCloth{std::move(model),

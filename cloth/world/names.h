@@ -29,11 +29,12 @@ constexpr const char* name_of(Fibres::SetSolver value) {
     return detail::name_among(names, value);
 }
 constexpr const char* name_of(SelfCollisionMethod value) {
-    constexpr const char* names[] = {"avoidance", "contact", "impact_zones"};
-    return detail::name_among(names, value);
-}
-constexpr const char* name_of(SelfCollisionSearch value) {
-    constexpr const char* names[] = {"exact", "shifted_grids", "sorted_sweep"};
+    constexpr const char* names[] = {"off",
+                                     "contact",
+                                     "impact_zones",
+                                     "avoidance",
+                                     "avoidance_by_shifted_grids",
+                                     "avoidance_by_sorted_sweep"};
     return detail::name_among(names, value);
 }
 constexpr const char* name_of(AirSourceKind value) {

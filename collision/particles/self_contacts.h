@@ -20,6 +20,9 @@
 
 namespace weft {
 
+/// Searches of avoidance: see SelfCollisionMethod.
+enum class SelfCollisionSearch : std::uint8_t { exact, shifted_grids, sorted_sweep };
+
 struct SelfContactCounts {
     std::uint32_t pairs = 0;    ///< contacts that were resolved
     std::uint32_t dropped = 0;  ///< particles whose list was full; their other contacts are not resolved

@@ -121,7 +121,9 @@ void Picture::update(const Simulation& simulation) {
         }
         colour_particles(inside_.colour, drawn.mesh, *cloth, colours_);
         if (fine_[i].rounded.size() > 0) {
-            update_rounded(*cloth, i, simulation.world().cloth_settings(drawn.id)->self_collision.enabled);
+            update_rounded(*cloth, i,
+                           simulation.world().cloth_settings(drawn.id)->self_collision.method !=
+                               SelfCollisionMethod::off);
             continue;
         }
         renderer_.update_cloth(cloths_[i], {.positions = cloth->positions,

@@ -12,7 +12,7 @@
 
 #include "demo/json_text.h"
 #include "demo/options/method_table.h"
-#include "demo/rung.h"
+#include "demo/self_collision.h"
 
 namespace weft::demo {
 namespace {
@@ -172,12 +172,12 @@ Result<void> read_method(const std::filesystem::path& file, const Json& json, Re
 
 Result<void> read_self_collision(const std::filesystem::path& file, const Json& value, Read& read) {
     std::string names;
-    for (const Rung rung : rungs) {
-        if (value.is_string() && value.get<std::string>() == name_of(rung)) {
-            set_rung(read.cloth.self_collision, rung);
+    for (const SelfCollisionMethod method : self_collision_methods) {
+        if (value.is_string() && value.get<std::string>() == name_of(method)) {
+            set_method(read.cloth.self_collision, method);
             return {};
         }
-        names.append(names.empty() ? "" : ", ").append(name_of(rung));
+        names.append(names.empty() ? "" : ", ").append(name_of(method));
     }
     return malformed(file, "self_collision is " + quoted_json(value) + "; it is one of " + names);
 }
@@ -243,7 +243,7 @@ std::string settings_text(const std::string& scene, const SettingsValues& presen
     json["wind"]["velocity"] = {shortest(velocity.x), shortest(velocity.y), shortest(velocity.z)};
     json["material"] = numbers_json(fabric_numbers(), present);
     write_method(present.cloth.method, json);
-    json["self_collision"] = name_of(rung_of(present.cloth.self_collision));
+    json["self_collision"] = name_of(present.cloth.self_collision.method);
     json.update(numbers_json(plain_numbers(), present));
     return json.dump(2) + '\n';
 }

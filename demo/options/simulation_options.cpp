@@ -103,8 +103,8 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
         ->check(CLI::Range(0, 10000));
     app.add_option("--substeps", options.overrides.substeps, "Steps of the solver in each 1/60 s")
         ->check(CLI::Range(1, 256));
-    std::map<std::string, Rung> names;
-    for (const Rung rung : rungs) names[name_of(rung)] = rung;
+    std::map<std::string, SelfCollisionMethod> names;
+    for (const SelfCollisionMethod method : self_collision_methods) names[name_of(method)] = method;
     app.add_option("--contact", options.overrides.contact,
                    "How cloth is kept from passing through cloth (default: the scene's own)")
         ->transform(CLI::CheckedTransformer(names).description("off, avoidance, impact-zones or contact"));

@@ -6,7 +6,7 @@
 #include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
-#include "demo/rung.h"
+#include "demo/self_collision.h"
 
 namespace weft::demo {
 namespace {
@@ -110,15 +110,16 @@ bool further_sliders(ClothSettings& settings) {
 
 bool self_collision_controls(ClothSettings& settings) {
     SelfCollision& self = settings.self_collision;
-    auto rung = static_cast<int>(rung_of(self));
-    std::array<const char*, rungs.size()> names;
-    std::ranges::transform(rungs, names.begin(), name_of);
-    bool changed = ImGui::Combo("self-collision", &rung, names.data(), static_cast<int>(names.size()));
+    auto chosen = static_cast<int>(std::ranges::find(self_collision_methods, self.method) -
+                                   self_collision_methods.begin());
+    std::array<const char*, self_collision_methods.size()> names;
+    std::ranges::transform(self_collision_methods, names.begin(), name_of);
+    bool changed = ImGui::Combo("self-collision", &chosen, names.data(), static_cast<int>(names.size()));
     tooltip(
         "Off costs nothing. Avoidance keeps particles apart, and layers still pass through each other where "
         "they are pressed. Impact zones keep momentum where layers meet, and still let some through. Contact "
         "lets nothing through, and costs most.");
-    if (changed) set_rung(self, static_cast<Rung>(rung));
+    if (changed) set_method(self, self_collision_methods[static_cast<std::size_t>(chosen)]);
     float millimetres = 1e3f * self.distance;
     if (slider("layers apart", millimetres, 0, 30, millimetres > 0 ? "%.1f mm" : "from the mesh",
                "How far apart layers lie: more looks thicker. 0 takes 0.75 of an edge by avoidance, else "
@@ -126,7 +127,7 @@ bool self_collision_controls(ClothSettings& settings) {
         self.distance = 1e-3f * millimetres;
         changed = true;
     }
-    if (rung_of(self) == Rung::impact_zones)
+    if (self.method == SelfCollisionMethod::impact_zones)
         changed |= slider("restitution", self.restitution, 0, 1, "%.2f",
                           "How layers bounce off each other: 0 not at all, 1 as fast as they came.");
     return changed;

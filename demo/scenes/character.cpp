@@ -118,7 +118,7 @@ class Walkers final : public Scene {
         settings.ahead = 0.137 * number;
         if (!is_crowd() && options.particles == 0) settings.drawn = drawn_vertices;
         settings.cloth.fabric.areal_density = 0.16f;
-        settings.cloth.self_collision.enabled = true;
+        settings.cloth.self_collision.method = SelfCollisionMethod::contact;
         return settings;
     }
 

@@ -82,7 +82,7 @@ class Curtain final : public Scene {
             return made.error();
 
         ClothSettings settings;
-        settings.self_collision.enabled = true;
+        settings.self_collision.method = SelfCollisionMethod::contact;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();
         cloth_ = *cloth;

@@ -33,7 +33,7 @@ class Flag final : public Scene {
         ClothSettings settings;
         settings.fabric.areal_density = 0.12f;
         settings.fabric.bending = 5e-6f;
-        settings.self_collision.enabled = true;
+        settings.self_collision.method = SelfCollisionMethod::contact;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();
         cloth_ = *cloth;

@@ -80,7 +80,7 @@ class HungGarment final : public Scene {
 
         ClothSettings settings;
         settings.fabric.areal_density = 0.18f;
-        settings.self_collision.enabled = true;
+        settings.self_collision.method = SelfCollisionMethod::contact;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();
         cloth_ = *cloth;

@@ -28,7 +28,7 @@ class Rag final : public Scene {
         mesh_ = std::move(*mesh);
         ClothSettings settings;
         settings.fabric = {.areal_density = 0.25f, .warp = 600, .weft = 600, .shear = 120, .bending = 1e-5f};
-        settings.self_collision = {.enabled = true};
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();
         cloth_ = *cloth;

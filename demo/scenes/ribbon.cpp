@@ -48,7 +48,7 @@ class Ribbon final : public Scene {
                            .bending = 2e-5f,
                            .damping = 1e-3f};
         settings.air_damping = 1.0f;
-        settings.self_collision = {.enabled = true, .friction = 0.4f};
+        settings.self_collision = {.method = SelfCollisionMethod::contact, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

@@ -200,7 +200,7 @@ Result<void> Shapes::build_stand(World& world, std::uint32_t k, std::uint32_t pa
     if (!mesh) return mesh.error();
     ClothSettings settings;
     settings.thickness = kept_apart;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     const auto cloth = world.add_cloth(*mesh, settings);
     if (!cloth) return cloth.error();
     cloths_.push_back(*cloth);

@@ -32,7 +32,7 @@ class Sheet final : public Scene {
         mesh_ = std::move(*mesh);
 
         ClothSettings settings;
-        settings.self_collision = {.enabled = true};
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
         settings.thickness = thickness;
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();

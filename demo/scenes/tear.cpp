@@ -42,7 +42,7 @@ class Tear final : public Scene {
         make_irregular(*mesh);
 
         ClothSettings settings;
-        settings.self_collision = {.enabled = true};
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
         const auto cloth = world.add_cloth(*mesh, settings);
         if (!cloth) return cloth.error();
         for (std::uint32_t row = 0; row < grid.rows; ++row) {

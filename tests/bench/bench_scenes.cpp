@@ -88,8 +88,7 @@ Scene::Scene(SceneKind kind, std::uint32_t side, const WorldSettings& world, con
              bool as_mesh)
     : simulation_(std::make_unique<Simulation>(world)) {
     ClothSettings settings = given;
-    if (kind != SceneKind::hanging)
-        settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+    if (kind != SceneKind::hanging) settings.self_collision = {.method = SelfCollisionMethod::avoidance};
     if (!is_garment(kind)) settings.self_collision.distance = 0.8f / static_cast<float>(side - 1);
     Mesh mesh = is_garment(kind) ? upright_garment(kind) : sheet(side, kind == SceneKind::draped ? 0.32f : 0);
     if (as_mesh) mesh.rows = mesh.columns = 0;

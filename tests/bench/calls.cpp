@@ -149,7 +149,7 @@ std::vector<Row> rows_of_a_change() {
         {"set_cloth_settings (contact on)",
          [](Host& h) {
              ClothSettings settings = must(h.world.cloth_settings(h.cloth));
-             settings.self_collision = {.enabled = true};
+             settings.self_collision = {.method = SelfCollisionMethod::contact};
              must(h.world.set_cloth_settings(h.cloth, settings));
          },
          [](Host& h) {

@@ -27,7 +27,7 @@ struct Things {
         slow.method = Fibres{.iterations = 2, .shear = Fibres::SetSolver::ldlt};
         slow.enabled = false;
         ClothSettings contact;
-        contact.self_collision = {.enabled = true};
+        contact.self_collision = {.method = SelfCollisionMethod::contact};
         cloths = {world.add_cloth(*make_sheet({.rows = 8, .columns = 8}), contact).value(),
                   world.add_cloth(*make_sheet({.rows = 4, .columns = 4, .origin = {3, 0, 0}}), slow).value()};
         EXPECT_TRUE(world.pin(cloths[0], std::vector<std::uint32_t>{0, 1}));

@@ -42,7 +42,7 @@ TEST(Options, ReadsEverything) {
     EXPECT_TRUE(std::holds_alternative<Chebyshev>(*o.overrides.method));
     EXPECT_EQ(o.overrides.fabric, *Fabric::named("denim"));
     EXPECT_EQ(o.overrides.substeps, 4);
-    EXPECT_EQ(o.overrides.contact, Rung::off);
+    EXPECT_EQ(o.overrides.contact, SelfCollisionMethod::off);
     EXPECT_TRUE(o.headless && o.panels && !o.list);
     EXPECT_EQ(o.frames, 77);
     EXPECT_EQ(o.every, 7);

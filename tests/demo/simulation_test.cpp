@@ -31,7 +31,7 @@ TEST(Simulation, TakesOverrides) {
     overrides.iterations = 3;
     overrides.fabric = *Fabric::named("denim");
     overrides.substeps = 5;
-    overrides.contact = Rung::off;
+    overrides.contact = SelfCollisionMethod::off;
     overrides.threads = 2;
     const Simulation simulation = small_flag(overrides);
     const WorldSettings& world = simulation.world().settings();
@@ -44,7 +44,7 @@ TEST(Simulation, TakesOverrides) {
     EXPECT_EQ(iterations_of(cloth->method), 3);
     EXPECT_TRUE(std::holds_alternative<Chebyshev>(cloth->method));
     EXPECT_EQ(cloth->fabric, *Fabric::named("denim"));
-    EXPECT_FALSE(cloth->self_collision.enabled);
+    EXPECT_EQ(cloth->self_collision.method, SelfCollisionMethod::off);
 }
 
 TEST(Simulation, RefusesWhatTheWorldRefuses) {

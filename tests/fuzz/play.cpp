@@ -382,8 +382,7 @@ Player::Answered Player::make(const Operation&, const Restore& call) {
 namespace {
 
 bool meets_cloth(const ClothSettings& settings) {
-    return settings.self_collision.enabled &&
-           settings.self_collision.method != SelfCollisionMethod::avoidance;
+    return weft::meets_cloth(settings.self_collision.method);
 }
 
 bool overlap(const Reached& a, const Reached& b) {

@@ -133,7 +133,7 @@ void Player::check_pins(std::size_t cloth) const {
         const Vec4& p = view.positions[i];
         // By impact zones beside cloth by contact, too: both are cut.
         const SelfCollision self = world_.cloth_settings(*cloths_[cloth]).value().self_collision;
-        const bool may_lag = self.enabled && self.method != SelfCollisionMethod::avoidance;
+        const bool may_lag = meets_cloth(self.method);
         if (may_lag && world_.cloth_report(*cloths_[cloth])->pin_lag > 0) continue;  // cloth was in its way
         check(p.x == target.x && p.y == target.y && p.z == target.z,
               "cloth " + std::to_string(cloth) + ": particle " + std::to_string(i) + " is pinned at " +

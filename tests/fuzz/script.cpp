@@ -41,7 +41,8 @@ struct PlannedShape {
 };
 
 void note_distance(PlannedCloth& cloth, const ClothSettings& settings) {
-    cloth.may_have_distance |= settings.self_collision.enabled && settings.self_collision.distance > 0;
+    cloth.may_have_distance |=
+        settings.self_collision.method != SelfCollisionMethod::off && settings.self_collision.distance > 0;
 }
 
 /// Draws operation by operation, with what the earlier ones have left in mind.
@@ -279,7 +280,6 @@ void Author::add_mistreated_cloth() {
     Mesh mesh = make_sheet({.rows = 9, .columns = 9, .u = {0.4f, 0, 0}, .v = {0, 0, 0.4f}}).value();
     put_apart(mesh);
     ClothSettings settings;
-    settings.self_collision.enabled = true;
     settings.self_collision.method =
         random_.one_of({SelfCollisionMethod::contact, SelfCollisionMethod::impact_zones});
     settings.self_collision.distance = random_.one_of({0.0f, 0.05f});

@@ -106,9 +106,8 @@ static std::string text_of(const Tethers& t) {
     return braced("Tethers", {text_of(t.enabled), text_of(t.slack)});
 }
 static std::string text_of(const SelfCollision& s) {
-    return braced("SelfCollision",
-                  {text_of(s.enabled), text_of(s.method), text_of(s.distance), text_of(s.friction),
-                   text_of(s.search), text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
+    return braced("SelfCollision", {text_of(s.method), text_of(s.distance), text_of(s.friction),
+                                    text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
 }
 std::string text_of(const ClothSettings& s) {
     return braced("ClothSettings",

@@ -74,7 +74,7 @@ class MethodAllocation : public testing::TestWithParam<test::MethodCase> {};
 TEST_P(MethodAllocation, DoesNotHappenInAWarmStepWhateverIsPinned) {
     constexpr std::uint32_t side = 24;
     const SelfCollision& self = GetParam().cloth.self_collision;
-    const bool is_slow = self.enabled && self.method != SelfCollisionMethod::avoidance;
+    const bool is_slow = meets_cloth(self.method);
     for (const test::PinPattern& pins : test::pin_patterns(side)) {
         std::uint64_t hash = 0;
         const bool is_rest = pins.name != "corners" && pins.name != "random";
@@ -86,7 +86,7 @@ TEST_P(MethodAllocation, DoesNotHappenInAWarmStepWhateverIsPinned) {
             EXPECT_EQ(seen.count, 0u);
             EXPECT_EQ(seen.restored, 0u);
             EXPECT_GT(seen.collider_contacts, 0u);
-            if (self.enabled && pins.name == "corners") {
+            if (self.method != SelfCollisionMethod::off && pins.name == "corners") {
                 EXPECT_GT(seen.self_contacts, 0u);
             }
             if (threads == 1) hash = run.world().state_hash();
@@ -101,7 +101,7 @@ std::uint64_t hash_of_worn_cloth(int threads, std::uint64_t& allocations) {
     World world = World::create({.threads = threads}).value();
     ClothSettings settings;
     settings.frame_inertia = {0.5f, 0.2f, 0.5f};
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     const Mesh mesh = make_sheet({.rows = side, .columns = side}).value();
     const std::size_t n = mesh.positions.size();
     const ClothId cloth = world.add_cloth(mesh, settings).value();

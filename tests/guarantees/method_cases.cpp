@@ -68,16 +68,16 @@ void add_options(const NamedSettings& method, std::vector<MethodCase>& cases) {
     const auto bdf2 = [](MethodCase& c) { c.cloth.time_scheme = TimeScheme::bdf2; };
     const auto tethers = [](MethodCase& c) { c.cloth.tethers.enabled = true; };
     const auto self = [](MethodCase& c) {
-        c.cloth.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+        c.cloth.self_collision = {.method = SelfCollisionMethod::avoidance};
     };
-    const auto contact = [](MethodCase& c) { c.cloth.self_collision = {.enabled = true}; };
+    const auto contact = [](MethodCase& c) {
+        c.cloth.self_collision = {.method = SelfCollisionMethod::contact};
+    };
     const auto zones = [](MethodCase& c) {
-        c.cloth.self_collision = {.enabled = true, .method = SelfCollisionMethod::impact_zones};
+        c.cloth.self_collision = {.method = SelfCollisionMethod::impact_zones};
     };
     const auto filter = [](MethodCase& c) {
-        c.cloth.self_collision = {.enabled = true,
-                                  .method = SelfCollisionMethod::avoidance,
-                                  .search = SelfCollisionSearch::sorted_sweep};
+        c.cloth.self_collision = {.method = SelfCollisionMethod::avoidance_by_sorted_sweep};
         c.cloth.collider_response = ColliderResponse::velocity_filter;
     };
     const auto gusts = [](MethodCase& c) {

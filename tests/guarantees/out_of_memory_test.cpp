@@ -161,7 +161,7 @@ ClothSettings all_options(const Method& method) {
     ClothSettings settings;
     settings.method = method;
     settings.tethers.enabled = true;
-    settings.self_collision.enabled = true;
+    settings.self_collision.method = SelfCollisionMethod::contact;
     settings.time_scheme = TimeScheme::bdf2;
     return settings;
 }
@@ -182,7 +182,7 @@ std::vector<Call> changes_of_cloths() {
     change("set_cloth_settings_from_fibres", all_options(Chebyshev{}), all_options(Fibres{}));
     const auto meeting_by = [](SelfCollisionMethod method) {
         ClothSettings settings;
-        settings.self_collision = {.enabled = true, .method = method};
+        settings.self_collision = {.method = method};
         return settings;
     };
     const ClothSettings contact = meeting_by(SelfCollisionMethod::contact),
@@ -301,7 +301,7 @@ std::vector<Call> other_calls() {
         };
     };
     ClothSettings contact;
-    contact.self_collision = {.enabled = true};
+    contact.self_collision = {.method = SelfCollisionMethod::contact};
     const MeshCut cut = [&] {
         std::vector<MeshEdge> across;
         for (std::uint32_t k = 0; k + 1 < side; ++k) across.push_back({2 * side + k, 2 * side + k + 1});

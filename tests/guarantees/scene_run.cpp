@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "demo/rung.h"
+#include "demo/self_collision.h"
 
 namespace weft::demo {
 
@@ -34,7 +34,7 @@ class StackByZones final : public Scene {
         if (!content) return content;
         for (const SceneCloth& cloth : content->cloths) {
             ClothSettings settings = need(world.cloth_settings(cloth.id));
-            set_rung(settings.self_collision, Rung::impact_zones);
+            set_method(settings.self_collision, SelfCollisionMethod::impact_zones);
             settings.self_collision.restitution = 0.3f;
             if (auto set = world.set_cloth_settings(cloth.id, settings); !set) return set.error();
         }

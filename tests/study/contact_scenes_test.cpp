@@ -22,18 +22,18 @@ namespace {
 
 struct Case {
     SceneMaker maker;
-    Rung rung;
+    SelfCollisionMethod method;
 };
 
 std::vector<Case> cases() {
     std::vector<Case> all;
     for (const SceneMaker& maker : all_contact_scenes())
-        for (const Rung rung : rungs) all.push_back({maker, rung});
+        for (const SelfCollisionMethod method : self_collision_methods) all.push_back({maker, method});
     return all;
 }
 
 std::string name_of_case(const testing::TestParamInfo<Case>& info) {
-    std::string name = info.param.maker.name + "_" + name_of(info.param.rung);
+    std::string name = info.param.maker.name + "_" + name_of(info.param.method);
     for (char& c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     return name;
@@ -45,7 +45,7 @@ TEST_P(ContactScenes, StartWellAndRun) {
     const SceneMaker& maker = GetParam().maker;
     if (maker.needs_garments && std::getenv("WEFT_DATA") == nullptr)
         GTEST_SKIP() << "WEFT_DATA is not set: no garments to test with";
-    ContactRun run(maker.make(0), GetParam().rung);
+    ContactRun run(maker.make(0), GetParam().method);
     EXPECT_EQ(run.scene().name, maker.name);
     EXPECT_GT(run.particles(), 50u);
     const EdgeStretch edges(run);
@@ -63,7 +63,7 @@ TEST_P(ContactScenes, StartWellAndRun) {
     EXPECT_FALSE(has(run.world().report().flags, StepFlags::state_restored));
     EXPECT_FALSE(run.over());
     // Impact zones do not hold the stretch of a swung dress: one edge is longer.
-    const bool is_loose = maker.needs_garments && GetParam().rung == Rung::impact_zones;
+    const bool is_loose = maker.needs_garments && GetParam().method == SelfCollisionMethod::impact_zones;
     EXPECT_LT(edges.of(run).most, is_loose ? 6 : 3.1);
     EXPECT_TRUE(std::isfinite(rms_speed(run)));
 }
@@ -80,7 +80,7 @@ ContactScene scene_named(const std::string& name) {
 TEST(ContactRuns, LayersThatFallOnOneAnotherStayWhole) {
     for (const SceneMaker& maker : all_contact_scenes()) {
         if (maker.name != "folddrop") continue;
-        ContactRun run(maker.make(0), Rung::contact);
+        ContactRun run(maker.make(0), SelfCollisionMethod::contact);
         const EdgeStretch edges(run);
         double worst = 0;
         for (int frame = 0; frame < 60; ++frame) {
@@ -94,7 +94,7 @@ TEST(ContactRuns, LayersThatFallOnOneAnotherStayWhole) {
 
 TEST(ContactMeasures, LayersAreTheScenes) {
     for (const char* name : {"stack 5", "stack 5 of cloths"}) {
-        const ContactRun run(scene_named(name), Rung::off);
+        const ContactRun run(scene_named(name), SelfCollisionMethod::off);
         const std::vector<double> heights = layer_heights(run);
         ASSERT_EQ(heights.size(), 5u) << name;
         EXPECT_EQ(layers_in_order(heights), 4u);
@@ -107,7 +107,7 @@ TEST(ContactMeasures, LayersAreTheScenes) {
 
 TEST(ContactMeasures, WhatFliesInZeroGravityHasItsSpeedAndNoMomentum) {
     for (const char* name : {"zero gravity", "zero gravity of cloths"}) {
-        ContactRun run(scene_named(name), Rung::off);
+        ContactRun run(scene_named(name), SelfCollisionMethod::off);
         while (run.time() < run.scene().free_from + 0.05) run.step();
         EXPECT_NEAR(rms_speed(run), 0.5, 0.005) << name;
         EXPECT_NEAR(momentum(run).norm() / run.scene().free_momentum, 0, 1e-3) << name;
@@ -117,14 +117,14 @@ TEST(ContactMeasures, WhatFliesInZeroGravityHasItsSpeedAndNoMomentum) {
 
 TEST(ContactMeasures, PinsThatNothingHoldsDoNotLag) {
     for (const char* name : {"ribbon", "twist", "yank 40"}) {
-        ContactRun run(scene_named(name), Rung::off);
+        ContactRun run(scene_named(name), SelfCollisionMethod::off);
         while (run.time() < 0.2) run.step();
         EXPECT_LT(run.pin_lag(), 1e-6) << name;
     }
 }
 
 TEST(ContactMeasures, CrossingsBetweenClothsAreToldFromThoseWithin) {
-    ContactRun run(scene_named("zero gravity of cloths"), Rung::off);
+    ContactRun run(scene_named("zero gravity of cloths"), SelfCollisionMethod::off);
     while (run.time() < 0.15) run.step();
     const CrossingCount count = count_crossings(run.soup());
     EXPECT_GT(count.all, 10u) << "nothing keeps them apart";
@@ -133,7 +133,7 @@ TEST(ContactMeasures, CrossingsBetweenClothsAreToldFromThoseWithin) {
 }
 
 TEST(Crossings, OfCrumpledClothAreThoseOfAllPairs) {
-    ContactRun run(scene_named("folddrop"), Rung::off);
+    ContactRun run(scene_named("folddrop"), SelfCollisionMethod::off);
     while (run.time() < 0.45) run.step();
     const TriangleSoup soup = run.soup();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
@@ -145,7 +145,7 @@ TEST(Crossings, OfCrumpledClothAreThoseOfAllPairs) {
 }
 
 TEST(LeastGap, OfFoldedClothIsThatOfAllPairs) {
-    const TriangleSoup soup = ContactRun(scene_named("folddrop"), Rung::off).soup();
+    const TriangleSoup soup = ContactRun(scene_named("folddrop"), SelfCollisionMethod::off).soup();
     const auto corners = [&](const Triangle& triangle) {
         Corners3 places;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -168,7 +168,7 @@ TEST(LeastGap, OfFoldedClothIsThatOfAllPairs) {
 
 TEST(ContactResult, TellsWhatPassedThrough) {
     const ContactScene scene = scene_named("cross-strips on edge");
-    const ContactResult result = measure_contact(scene, Rung::off, 1, 1);
+    const ContactResult result = measure_contact(scene, SelfCollisionMethod::off, 1, 1);
     EXPECT_GT(result.crossings_peak, 0u);
     EXPECT_EQ(result.crossings_final, 0u) << "it fell through, and on";
     EXPECT_EQ(result.layers, 2u);
@@ -185,8 +185,9 @@ TEST(ContactResult, TellsWhatPassedThrough) {
 }
 
 TEST(ContactResult, IsARowOfTheTable) {
-    const ContactResult result = measure_contact(scene_named("cross-strips"), Rung::avoidance, 1, 7);
-    const CsvRow row = contact_row(contact_key("cross-strips", Rung::avoidance, 0, 7), result);
+    const ContactResult result =
+        measure_contact(scene_named("cross-strips"), SelfCollisionMethod::avoidance, 1, 7);
+    const CsvRow row = contact_row(contact_key("cross-strips", SelfCollisionMethod::avoidance, 0, 7), result);
     for (const auto& [column, unused] : row)
         EXPECT_NE(std::ranges::find(contact_columns(), column), contact_columns().end()) << column;
     CsvTable table{contact_columns(), {row}};

@@ -60,7 +60,7 @@ class ContactStage final : public Scene {
         scene_ = maker_.make(options.particles);
         SceneContent content;
         for (PlacedCloth& cloth : scene_.cloths) {
-            cloth.settings.self_collision.enabled = true;
+            cloth.settings.self_collision.method = SelfCollisionMethod::contact;
             const auto id = world.add_cloth(cloth.mesh, cloth.settings);
             if (!id) return id.error();
             if (auto pinned = world.pin(*id, cloth.pins); !pinned) return pinned.error();

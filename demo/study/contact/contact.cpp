@@ -1,4 +1,4 @@
-// weft_study contact: crossing triangles in scenes where cloth collides with cloth, by every rung of
+// weft_study contact: crossing triangles in scenes where cloth collides with cloth, by every method of
 // self-collision.
 
 #include <chrono>
@@ -18,7 +18,7 @@ namespace {
 
 struct Item {
     SceneMaker maker;
-    Rung rung;
+    SelfCollisionMethod method;
     double cost;
 };
 
@@ -37,10 +37,10 @@ std::vector<Item> chosen(const StudyOptions& options, std::uint32_t particles) {
             std::fprintf(stderr, "%s is left out: WEFT_DATA is not set\n", maker.name.c_str());
             continue;
         }
-        for (const Rung rung : rungs) {
-            const std::string whole = maker.name + ", " + name_of(rung);
+        for (const SelfCollisionMethod method : self_collision_methods) {
+            const std::string whole = maker.name + ", " + name_of(method);
             if (whole.find(options.only) != std::string::npos)
-                items.push_back({maker, rung, cost_of(maker.make(particles))});
+                items.push_back({maker, method, cost_of(maker.make(particles))});
         }
     }
     return items;
@@ -63,15 +63,15 @@ int run_contact(const StudyOptions& options) {
     double total = 0;
     for (const Item& item : items) total += item.cost;
     StudyProgress progress(items.size(), total);
-    for (const auto& [maker, rung, cost] : items) {
-        CsvRow key = contact_key(maker.name, rung, particles, every);
+    for (const auto& [maker, method, cost] : items) {
+        CsvRow key = contact_key(maker.name, method, particles, every);
         if (table.find(key, contact_keys()) != nullptr) {
             progress.skip(cost);
             continue;
         }
-        progress.begin(maker.name + ", " + name_of(rung));
+        progress.begin(maker.name + ", " + name_of(method));
         CsvRow row = contact_row(
-            key, measure_contact(maker.make(particles), rung, thread_count(options.threads), every));
+            key, measure_contact(maker.make(particles), method, thread_count(options.threads), every));
         row["machine"] = machine_name();
         row["commit"] = commit_name();
         table.append(row);

@@ -13,7 +13,7 @@ namespace weft::study {
 
 namespace {
 
-constexpr std::array<const char*, 4> colours{"#7f7f7f", "#1f77b4", "#d62728", "#2ca02c"};  // of rungs
+constexpr std::array<const char*, 4> colours{"#7f7f7f", "#1f77b4", "#d62728", "#2ca02c"};  // of the methods
 
 std::vector<std::string> scenes_of(const CsvTable& table) {
     std::vector<std::string> scenes;
@@ -22,17 +22,19 @@ std::vector<std::string> scenes_of(const CsvTable& table) {
     return scenes;
 }
 
-/// Lines `peak final line` of one rung. Values are drawn at `least` or above, since the axis is logarithmic.
-std::string points(const CsvTable& table, const std::vector<std::string>& scenes, std::size_t rung,
+/// Lines `peak final line` of one method. Values are drawn at `least` or above, since the axis is
+/// logarithmic.
+std::string points(const CsvTable& table, const std::vector<std::string>& scenes, std::size_t method,
                    const std::string& peak, const std::string& final, double least) {
     std::ostringstream text;
     for (const CsvRow& row : table.rows) {
-        if (row.at("rung") != name_of(rungs.at(rung))) continue;
+        if (row.at("rung") != name_of(self_collision_methods.at(method))) continue;
         const auto line = static_cast<double>(std::ranges::find(scenes, row.at("scene")) - scenes.begin());
         const auto value = [&](const std::string& column) {
             return std::max(least, parse_number(row.at(column)).value_or(least));
         };
-        const double aside = 0.5 * ((static_cast<double>(rung) + 0.5) / rungs.size() - 0.5);
+        const double aside =
+            0.5 * ((static_cast<double>(method) + 0.5) / self_collision_methods.size() - 0.5);
         text << value(peak) << ' ' << value(final) << ' ' << line + aside << '\n';
     }
     return text.str();
@@ -40,14 +42,14 @@ std::string points(const CsvTable& table, const std::vector<std::string>& scenes
 
 std::string plot_of(const std::string& block) {
     std::string text = "plot ";
-    for (std::size_t r = 0; r < rungs.size(); ++r) {
+    for (std::size_t r = 0; r < self_collision_methods.size(); ++r) {
         const std::string data = "$" + block + std::to_string(r);
         const std::string colour = " linecolor rgb " + quoted(colours.at(r));
         text += (r > 0 ? ", " : "") + data + " using 2:3:($1-$2):(0) with vectors nohead" + colour +
                 " notitle, " + data + " using 1:3 with points pointtype 6" + colour + " title " +
-                quoted(std::string(name_of(rungs.at(r))) + ", peak") + ", " + data +
+                quoted(std::string(name_of(self_collision_methods.at(r))) + ", peak") + ", " + data +
                 " using 2:3 with points pointtype 7" + colour + " title " +
-                quoted(std::string(name_of(rungs.at(r))) + ", final");
+                quoted(std::string(name_of(self_collision_methods.at(r))) + ", final");
     }
     return text + "\n";
 }
@@ -57,7 +59,7 @@ std::string plot_of(const std::string& block) {
 void draw_contact(const CsvTable& table, const std::filesystem::path& folder) {
     const std::vector<std::string> scenes = scenes_of(table);
     std::ostringstream settings;
-    for (std::size_t r = 0; r < rungs.size(); ++r) {
+    for (std::size_t r = 0; r < self_collision_methods.size(); ++r) {
         settings << "$pairs" << r << " << EOD\n"
                  << points(table, scenes, r, "crossings_peak", "crossings_final", 0.5) << "EOD\n"
                  << "$edges" << r << " << EOD\n"

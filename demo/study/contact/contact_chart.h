@@ -8,7 +8,7 @@
 namespace weft::study {
 
 /// contact.svg and .png: crossing pairs and the longest edge, peak and final, a line for each scene and a
-/// colour for each rung. Throws std::runtime_error if gnuplot fails.
+/// colour for each method. Throws std::runtime_error if gnuplot fails.
 void draw_contact(const CsvTable& table, const std::filesystem::path& folder);
 
 }  // namespace weft::study

@@ -30,6 +30,7 @@ struct ContactResult {
 };
 
 /// Runs a scene. Crossings, gap, stretch and depth are measured at every `every`th frame and at the last.
-[[nodiscard]] ContactResult measure_contact(const ContactScene& scene, Rung rung, int threads, int every);
+[[nodiscard]] ContactResult measure_contact(const ContactScene& scene, SelfCollisionMethod method,
+                                            int threads, int every);
 
 }  // namespace weft::study

@@ -11,7 +11,7 @@ namespace weft::study {
 class ContactRun {
   public:
     /// Throws std::runtime_error where a World refuses the scene. `threads` 0: one per core.
-    ContactRun(ContactScene scene, Rung rung, int threads = 1);
+    ContactRun(ContactScene scene, SelfCollisionMethod method, int threads = 1);
 
     /// Takes one step of ContactScene::step(); returns the time of World::step [s].
     double step();

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "demo/rung.h"
 #include "demo/scenes/contact/contact_scene.h"
+#include "demo/self_collision.h"
 
 namespace weft::study {
 
@@ -12,10 +12,9 @@ using demo::ContactScene;
 using demo::name_of;
 using demo::PlacedCloth;
 using demo::quick_contact_particles;
-using demo::Rung;
-using demo::rungs;
 using demo::SceneHandles;
 using demo::SceneMaker;
+using demo::self_collision_methods;
 
 /// Garments hung up and swung.
 [[nodiscard]] std::vector<SceneMaker> garment_scenes();

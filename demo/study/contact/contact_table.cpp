@@ -50,9 +50,9 @@ bool is_contact_table(const CsvTable& table) {
     return table.columns == contact_columns();
 }
 
-CsvRow contact_key(const std::string& scene, Rung rung, std::uint32_t particles, int every) {
+CsvRow contact_key(const std::string& scene, SelfCollisionMethod method, std::uint32_t particles, int every) {
     return {{"scene", scene},
-            {"rung", name_of(rung)},
+            {"rung", name_of(method)},
             {"asked", std::to_string(particles)},
             {"every", std::to_string(every)}};
 }

@@ -14,7 +14,8 @@ namespace weft::study {
 
 /// The columns that identify a row.
 [[nodiscard]] const std::vector<std::string>& contact_keys();
-[[nodiscard]] CsvRow contact_key(const std::string& scene, Rung rung, std::uint32_t particles, int every);
+[[nodiscard]] CsvRow contact_key(const std::string& scene, SelfCollisionMethod method,
+                                 std::uint32_t particles, int every);
 /// A row of the key and the figures. Lengths in mm, speeds in mm/s, steps in ms.
 [[nodiscard]] CsvRow contact_row(CsvRow key, const ContactResult& result);
 

@@ -8,7 +8,7 @@
 
 #include "demo/study/charts/csv.h"
 #include "demo/study/study_options.h"
-#include "weft/self_collision.h"
+#include "collision/particles/self_contacts.h"
 
 namespace weft::study {
 

@@ -75,7 +75,8 @@ TEST(Bodies, AThrownBallAndAFreeSheetKeepTheirMomentumTogether) {
     for (const bool with_contact : {false, true})
         for (const float mass : {0.02f, 0.2f, 2.0f}) {
             SheetAndBody::Setup setup = weightless(mass, 2);
-            setup.cloth.self_collision.enabled = with_contact;
+            setup.cloth.self_collision.method =
+                with_contact ? SelfCollisionMethod::contact : SelfCollisionMethod::off;
             SheetAndBody scene(setup, Held::free);
             const SheetAndBody::Momentum before = scene.momentum();
             double most = before.energy;
@@ -100,7 +101,8 @@ TEST(Bodies, ABallThrownIntoTwoFreeSheetsKeepsTheirMomentum) {
     for (const bool with_contact : {false, true})
         for (const float mass : {0.02f, 0.2f, 2.0f}) {
             SheetAndBody::Setup setup = weightless(mass, 2);
-            setup.cloth.self_collision.enabled = with_contact;
+            setup.cloth.self_collision.method =
+                with_contact ? SelfCollisionMethod::contact : SelfCollisionMethod::off;
             SheetAndBody scene(setup, Held::free);
             const Mesh beside = make_sheet({.rows = 13,
                                             .columns = 13,
@@ -274,7 +276,9 @@ TEST(Bodies, WhatIsAttachedAtItsCentreTurnsNoBody) {
     for (const bool onto_cloth : {false, true})
         for (const float ratio : {0.01f, 1.0f, 100.0f}) {
             World world = World::create({.threads = 1}).value();
-            const ClothSettings settings{.self_collision = {.enabled = onto_cloth}};
+            const ClothSettings settings{.self_collision = {.method = onto_cloth
+                                                                          ? SelfCollisionMethod::contact
+                                                                          : SelfCollisionMethod::off}};
             const ClothId cloth = world
                                       .add_cloth(*make_sheet({.rows = side,
                                                               .columns = side,

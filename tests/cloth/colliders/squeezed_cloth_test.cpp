@@ -165,7 +165,7 @@ TEST(SqueezedCloth, KeepsToTheLaterOfTwoLimbsAndComesOutClean) {
 TEST(SqueezedCloth, WithContactNothingCrosses) {
     ClothSettings settings;
     settings.air_damping = 5;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     const Held held = between_limbs(settings, 0.03f);
     EXPECT_GT(held.most, 50u);
     EXPECT_EQ(held.crossings, 0);
@@ -216,7 +216,7 @@ TEST(SqueezedCloth, WithContactABallDoesNotStretchIt) {
     for (const float overlap : {0.005f, 0.03f}) {
         ClothSettings settings;
         settings.air_damping = 20;
-        settings.self_collision = {.enabled = true};
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
         const Held held = under_ball(settings, overlap);
         EXPECT_LT(held.greatest, 1.3f) << overlap;
         EXPECT_LT(held.moved, overlap > 0.02f ? 1e-3 : 1e-4) << overlap;

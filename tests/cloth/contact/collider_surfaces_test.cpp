@@ -133,7 +133,7 @@ TEST(ColliderSurfaces, ItsThicknessIsAddedToTheCloths) {
 ClothSettings of_mask(std::uint32_t mask, bool with_contact = false) {
     ClothSettings settings;
     settings.collider_mask = mask;
-    if (with_contact) settings.self_collision = {.enabled = true, .layers = 1};
+    if (with_contact) settings.self_collision = {.method = SelfCollisionMethod::contact, .layers = 1};
     return settings;
 }
 

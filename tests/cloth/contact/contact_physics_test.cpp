@@ -144,7 +144,7 @@ Threads threads_on_ball(const ClothSettings& settings) {
 // by a millionth gives any of these.
 TEST(ContactPhysics, AFineSheetOnABallStaysWholeAtOneStepAFrame) {
     std::vector<ClothSettings> cases(6);
-    cases[1].self_collision.enabled = true;
+    cases[1].self_collision.method = SelfCollisionMethod::contact;
     cases[2].time_scheme = TimeScheme::bdf2;
     cases[3].finite_elements.enabled = true;
     cases[4].method = Multilevel{.passes = 1};

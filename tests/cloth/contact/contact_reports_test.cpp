@@ -38,7 +38,7 @@ ClothSettings undamped(const Method& method = {}, int substeps = 1) {
 
 ClothSettings with_self(SelfCollisionMethod method) {
     ClothSettings settings = undamped();
-    settings.self_collision = {.enabled = true, .method = method};
+    settings.self_collision = {.method = method};
     return settings;
 }
 

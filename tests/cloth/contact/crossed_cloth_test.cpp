@@ -38,7 +38,7 @@ struct Crossed {
         world = World::create(in_still_air).value();
         EXPECT_TRUE(world.add_collider({.shape = Plane{{0, 1, 0}, 0}}));
         ClothSettings settings;
-        settings.self_collision = {.enabled = true, .distance = radius};
+        settings.self_collision = {.method = SelfCollisionMethod::contact, .distance = radius};
         const auto level = [](float) { return 0.025f; };
         const auto through = [&](float u) { return 0.025f + 0.008f * std::tanh(20 * (u - part)); };
         cloths = {world.add_cloth(crossing_sheet(0, level), settings).value(),

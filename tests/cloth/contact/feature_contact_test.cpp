@@ -24,7 +24,7 @@ WorldSettings still_air(int threads = 1, Vec3 gravity = {0, -9.81f, 0}) {
 
 ClothSettings with_contact() {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     return settings;
 }
 
@@ -130,7 +130,6 @@ World crowd(bool with_contact, bool with_zones, int threads) {
         cloth.substeps = 2;
         const bool by_zones = with_zones && (!with_contact || k % 2 == 0);
         cloth.self_collision = {
-            .enabled = true,
             .method = by_zones ? SelfCollisionMethod::impact_zones : SelfCollisionMethod::contact,
             .distance = 0.05f};
         EXPECT_TRUE(world.add_cloth(mesh, cloth));
@@ -481,7 +480,7 @@ TEST(ContactSettings, CanBeSwitchedAtAnyTimeAndCostNothingWhenOff) {
                             world.add_cloth(turned_sheet(0.03f, 0.3f), with_contact()).value()};
     const std::uint64_t bytes_with = world.cloth_info(cloths[0])->bytes;
     ClothSettings off = with_contact();
-    off.self_collision.enabled = false;
+    off.self_collision.method = SelfCollisionMethod::off;
     ASSERT_TRUE(world.set_cloth_settings(cloths[0], off));
     EXPECT_LT(world.cloth_info(cloths[0])->bytes, bytes_with);
     const ClothId plain = world.add_cloth(turned_sheet(2), off).value();

@@ -51,7 +51,7 @@ TEST(GroupScratch, ClothByZonesThatStraysIntoAnotherGroupIsParted) {
     still.threads = 1;
     World world = must(World::create(still));
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::impact_zones};
+    settings.self_collision = {.method = SelfCollisionMethod::impact_zones};
     std::vector<ClothId> sheets;
     for (const float y : {0.0f, 0.06f})
         sheets.push_back(must(world.add_cloth(

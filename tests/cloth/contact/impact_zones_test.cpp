@@ -21,8 +21,7 @@ using Eigen::Vector3d;
 
 ClothSettings by_zones(float restitution = 0) {
     ClothSettings settings;
-    settings.self_collision = {
-        .enabled = true, .method = SelfCollisionMethod::impact_zones, .restitution = restitution};
+    settings.self_collision = {.method = SelfCollisionMethod::impact_zones, .restitution = restitution};
     settings.air_damping = 0;
     return settings;
 }

@@ -31,10 +31,8 @@ Mesh two_layers(float gap) {
 ClothSettings with_distance(float distance, float friction = 0.3f) {
     ClothSettings settings;
     settings.air_damping = 0;
-    settings.self_collision = {.enabled = true,
-                               .method = SelfCollisionMethod::avoidance,
-                               .distance = distance,
-                               .friction = friction};
+    settings.self_collision = {
+        .method = SelfCollisionMethod::avoidance, .distance = distance, .friction = friction};
     return settings;
 }
 
@@ -125,7 +123,7 @@ TEST(Layers, AreNotReportedOnceSelfCollisionIsOff) {
     ClothSettings settings = with_distance(0.005f);
     const ClothId id = world.add_cloth(two_layers(0.001f), settings).value();
     EXPECT_GT(world.step(h).self_contacts, 100u);
-    settings.self_collision.enabled = false;
+    settings.self_collision.method = SelfCollisionMethod::off;
     ASSERT_TRUE(world.set_cloth_settings(id, settings));
     EXPECT_EQ(world.step(h).self_contacts, 0u);
     EXPECT_EQ(world.report().peak_self_contacts, 0u);
@@ -140,7 +138,7 @@ TEST(Layers, ADistanceOfVeryManyEdgesIsRefusedByName) {
 
     const ClothId id = world.add_cloth(square(64), {}).value();
     EXPECT_FALSE(world.set_cloth_settings(id, with_distance(0.5f * length)).ok());
-    EXPECT_FALSE(world.cloth_settings(id).value().self_collision.enabled);
+    EXPECT_EQ(world.cloth_settings(id).value().self_collision.method, SelfCollisionMethod::off);
 }
 
 /// How far a layer that lies on a pinned one has gone along a slope in a second [m].

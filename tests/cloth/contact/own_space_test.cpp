@@ -74,7 +74,7 @@ struct Flight {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> place(0, 5), direction(-speed, speed);
         ClothSettings settings;
-        settings.self_collision = {.enabled = true};
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
         for (int k = 0; k < 40; ++k) {
             Mesh mesh = upright(place(random));
             const Vec3 at{0, place(random), place(random)};
@@ -121,7 +121,7 @@ struct Gust {
         for (const bool first : {true, false}) {
             const bool is_light = first == light_first;
             ClothSettings settings;
-            settings.self_collision = {.enabled = true};
+            settings.self_collision = {.method = SelfCollisionMethod::contact};
             settings.fabric.areal_density = is_light ? 0.05f : 50.0f;
             cloths.push_back(must(world.add_cloth(upright(is_light ? 0 : gap), settings)));
         }
@@ -161,7 +161,7 @@ struct Sheets {
     Sheets(const WorldSettings& settings, std::span<const float> heights)
         : world(must(World::create(settings))) {
         ClothSettings of;
-        of.self_collision = {.enabled = true};
+        of.self_collision = {.method = SelfCollisionMethod::contact};
         for (const float y : heights)
             cloths.push_back(must(world.add_cloth(must(make_sheet({.rows = 12,
                                                                    .columns = 12,
@@ -195,7 +195,7 @@ TEST(OwnSpace, ClothsThatAColliderSweepsUpTogetherAreExpectedToMeet) {
 TEST(OwnSpace, WhatAColliderPushesIsExpectedToPushAsFar) {
     Simulation simulation(vacuum());
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     simulation.add(std::make_unique<Cloth>(must(cook(upright(0))), settings));
     const auto ball = [](float x) {
         return Collider{.shape = Sphere{.center = {x, 0.15f, 0.15f}, .radius = 0.05f}};
@@ -218,7 +218,7 @@ TEST(OwnSpace, LayersThatAreBlownAtAnotherClothCrossNothing) {
             std::vector<ClothId> cloths;
             for (const float x : {0.0f, 0.004f, 0.008f, 0.008f + gap}) {
                 ClothSettings settings;
-                settings.self_collision = {.enabled = true};
+                settings.self_collision = {.method = SelfCollisionMethod::contact};
                 settings.fabric.areal_density = x > 0.01f ? 50.0f : 0.03f + 20 * x;
                 cloths.push_back(must(world.add_cloth(upright(x), settings)));
             }

@@ -25,7 +25,7 @@ struct Tag {
         settings.method = method;
         settings.substeps = substeps;
         settings.thickness = 0.3f * cell;
-        settings.self_collision = {.enabled = true};
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
         cloth = world.add_cloth(mesh, settings).value();
         EXPECT_TRUE(world.pin(cloth, 0));
     }

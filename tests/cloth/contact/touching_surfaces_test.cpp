@@ -93,7 +93,7 @@ std::vector<Case> cases() {
 ClothSettings with_contact() {
     ClothSettings settings;
     settings.air_damping = 0;
-    settings.self_collision = {.enabled = true, .distance = thickness};
+    settings.self_collision = {.method = SelfCollisionMethod::contact, .distance = thickness};
     return settings;
 }
 

@@ -16,7 +16,8 @@ TEST(Recut, WhatPartsAtAPinIsNotFlungOffByContact) {
     for (const Method& method : {Method(Multilevel{}), Method(Jacobi{})}) {
         World world = must(World::create({}));
         const Mesh mesh = must(make_sheet({.rows = 2, .columns = 2, .u = {0.06f, 0, 0}, .v = {0, 0, 0.06f}}));
-        const ClothSettings settings{.method = method, .self_collision = {.enabled = true}};
+        const ClothSettings settings{.method = method,
+                                     .self_collision = {.method = SelfCollisionMethod::contact}};
         const ClothId cloth = must(world.add_cloth(mesh, settings));
         std::array<std::uint32_t, 2> diagonal{};
         for (std::uint32_t v = 0, found = 0; v < 4; ++v) {

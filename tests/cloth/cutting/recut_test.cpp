@@ -95,7 +95,9 @@ std::vector<Case> cases() {
         const std::vector<Vec3> normals(hung.mesh.positions.size(), Vec3{0, 0, 1});
         EXPECT_TRUE(hung.world.set_skin(hung.cloth, hung.mesh.positions, normals));
     };
-    const auto with_contact = [](ClothSettings& s) { s.self_collision = {.enabled = true}; };
+    const auto with_contact = [](ClothSettings& s) {
+        s.self_collision = {.method = SelfCollisionMethod::contact};
+    };
     return {
         {.name = "by_default"},
         {.name = "euler", .set = [](ClothSettings& s) { s.time_scheme = TimeScheme::backward_euler; }},
@@ -109,10 +111,7 @@ std::vector<Case> cases() {
         {.name = "tethers", .set = [](ClothSettings& s) { s.tethers.enabled = true; }},
         {.name = "on_a_ball", .prepare = add_ball},
         {.name = "avoidance",
-         .set =
-             [](ClothSettings& s) {
-                 s.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
-             }},
+         .set = [](ClothSettings& s) { s.self_collision = {.method = SelfCollisionMethod::avoidance}; }},
         {.name = "contact", .set = with_contact, .prepare = add_ball},
         {.name = "maps", .prepare = give_maps},
         {.name = "in_a_frame",
@@ -343,7 +342,7 @@ TEST(RecutCloth, RefusesByNameAndChangesNothing) {
 // A cloth that others lie on wakes them; contact between cloths goes on.
 TEST(RecutCloth, MeetsOtherClothAsBefore) {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     World world = must(World::create({.threads = 1}));
     const Mesh mesh = must(make_sheet({.rows = 9, .columns = 9}));
     const ClothId lower = must(world.add_cloth(mesh, settings));
@@ -395,7 +394,7 @@ TEST(StrainedEdges, TearAClothInTwo) {
     World world = must(World::create({.gravity = {0, 0, 0}, .threads = 1}));
     Mesh mesh = must(make_sheet({.rows = 9, .columns = 13}));
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     const ClothId cloth = must(world.add_cloth(mesh, settings));
     std::vector<std::uint32_t> ends;
     for (std::uint32_t row = 0; row < 9; ++row) ends.insert(ends.end(), {row * 13, row * 13 + 12});

@@ -306,7 +306,7 @@ TEST(Budget, LongStepsAreEvenAndSpread) {
 
 TEST(Budget, WhatMovesOrHasContactTakesNoLongSteps) {
     ClothSettings meets;
-    meets.self_collision = {.enabled = true};
+    meets.self_collision = {.method = SelfCollisionMethod::contact};
     Hall contact(0.001f, 3, meets);
     contact.run(30);
     for (const Cloth* cloth : contact.cloths) {

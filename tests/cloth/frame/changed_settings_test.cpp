@@ -95,7 +95,7 @@ std::vector<Vec4> in_wind(int substeps, int steps, float dt, int of_the_cloth = 
 // So much is near then that the list of pairs is full: were all to stand still, it would never come home.
 TEST(ChangedSettings, ClothThatWasDrawnOutComesHome) {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     World world = World::create().value();
     const Mesh mesh =
         make_sheet({.rows = 20, .columns = 20, .origin = {-0.5f, 1, -0.5f}, .u = {1, 0, 0}, .v = {0, 0, 1}})

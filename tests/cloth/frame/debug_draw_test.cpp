@@ -244,7 +244,7 @@ TEST(DebugDraw, OnlyWhatIsAskedForAndNothingWithoutACanvas) {
 TEST(DebugDraw, TanglesAreMarkedUntilTheyAreGone) {
     World world = World::create().value();
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     for (const float turn : {0.0f, 1.0f}) {
         const Mesh mesh = make_sheet({.rows = 15,
                                       .columns = 15,

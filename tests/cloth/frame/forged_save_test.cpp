@@ -59,7 +59,7 @@ struct FullWorld {
         worn.tethers.enabled = true;
         worn.sleep_speed = 0.01f;
         worn.frame_inertia = {0.5f, 0.5f, 0.5f};
-        contact.self_collision = {.enabled = true};
+        contact.self_collision = {.method = SelfCollisionMethod::contact};
         const Mesh mesh = make_sheet({.rows = 3, .columns = 4}).value();
         for (const ClothSettings& settings : {worn, contact, ClothSettings{}})
             cloths.push_back(world.add_cloth(mesh, settings).value());

@@ -58,7 +58,7 @@ TEST(MaxSpeed, HoldsWhenAColliderJumpsIntoTheCloth) {
     for (const Method& method : plain_methods()) {
         for (const float jump : {10.0f, 100.0f, 1000.0f}) {
             ClothSettings settings = with(method);
-            settings.self_collision.enabled = true;
+            settings.self_collision.method = SelfCollisionMethod::contact;
             HungByCorners hung(settings);
             const ColliderId ball = hung.world.add_collider({.shape = Sphere{{0, 0, jump}, 0.3f}}).value();
             hung.step(20);
@@ -114,7 +114,7 @@ TEST(Bounds, HoldPinsThatHaveMoved) {
 TEST(Settle, LeavesNoParticleInsideAColliderWithSelfCollisionOn) {
     // A sheet dropped on a small ball folds over it and is pushed by its own layers.
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance, .distance = 0.04f};
+    settings.self_collision = {.method = SelfCollisionMethod::avoidance, .distance = 0.04f};
     settings.thickness = 0.005f;
     for (const Method& method : {Method(Multilevel{}), Method(Xpbd{})}) {
         settings.method = method;

@@ -27,7 +27,7 @@ ClothSettings that_sleeps(bool contact = false) {
     ClothSettings settings;
     settings.air_damping = 4;
     settings.sleep_speed = 0.01f;
-    if (contact) settings.self_collision = {.enabled = true};
+    if (contact) settings.self_collision = {.method = SelfCollisionMethod::contact};
     return settings;
 }
 
@@ -251,7 +251,8 @@ TEST(LostSupport, WakesByClothBelowThatLeaves) {
              s.self_collision.layers = 2;
              s.self_collision.mask = 2;
          }));
-    with("without contact", set([](ClothSettings& s) { s.self_collision.enabled = false; }));
+    with("without contact",
+         set([](ClothSettings& s) { s.self_collision.method = SelfCollisionMethod::off; }));
 }
 
 TEST(LostSupport, WakesByItsOwnHoldsThatAreChanged) {

@@ -25,7 +25,7 @@ ClothSettings of_method(const Method& method) {
 
 ClothSettings with_contact() {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     settings.tethers.enabled = true;
     return settings;
 }
@@ -331,7 +331,7 @@ TEST(SaveRefuses, SettingsByWhichAClothHasAnotherState) {
     };
     with([](ClothSettings& s) { s.time_scheme = TimeScheme::backward_euler; });
     expect_refused(world, good, "BDF2");
-    with([](ClothSettings& s) { s.self_collision = {.enabled = true}; });
+    with([](ClothSettings& s) { s.self_collision = {.method = SelfCollisionMethod::contact}; });
     expect_refused(world, good, "contact");
     with([](ClothSettings& s) {
         s.method = ConjugateGradient{};

@@ -32,7 +32,7 @@ std::vector<SavedCase> saved_cases() {
     const auto all = [](SavedCase& c) {
         c.settings.time_scheme = TimeScheme::bdf2;
         c.settings.tethers.enabled = true;
-        c.settings.self_collision.enabled = true;
+        c.settings.self_collision.method = SelfCollisionMethod::contact;
         c.settings.substeps = 2;
     };
     const auto elements = [](SavedCase& c) {
@@ -44,7 +44,7 @@ std::vector<SavedCase> saved_cases() {
     add("MultilevelAll", Multilevel{}, all);
     add("MultilevelElements", Multilevel{}, elements);
     add("MultilevelContact", Multilevel{},
-        [](SavedCase& c) { c.settings.self_collision = {.enabled = true}; });
+        [](SavedCase& c) { c.settings.self_collision = {.method = SelfCollisionMethod::contact}; });
     add("Jacobi", Jacobi{}, plain);
     add("Chebyshev", Chebyshev{}, bdf2);
     add("ConjugateGradient", ConjugateGradient{}, bdf2);

@@ -107,7 +107,7 @@ struct Filled {
 Filled fill(World& world, std::span<const std::uint32_t> sides) {
     Filled filled;
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+    settings.self_collision = {.method = SelfCollisionMethod::avoidance};
     for (const std::uint32_t side : sides) {
         settings.substeps = 1 + static_cast<int>(side % 3);
         const ClothId id = world.add_cloth(sheet(side, side), settings).value();

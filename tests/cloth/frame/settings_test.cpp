@@ -117,7 +117,7 @@ void make_acceptable(ClothSettings& settings) {
 Settings with_everything_on(const ChosenMethod& method) {
     Settings settings;
     settings.world.wind = {.velocity = {1, 0, 2}, .gust = 0.5f};
-    settings.cloth.self_collision.enabled = true;
+    settings.cloth.self_collision.method = SelfCollisionMethod::contact;
     method.choose(settings.cloth);
     return settings;
 }
@@ -210,8 +210,6 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.collider_response = static_cast<ColliderResponse>(9); }},
         {"SelfCollision::restitution is 1.5", "from 0 to 1",
          [](ClothSettings& s) { s.self_collision.restitution = 1.5f; }},
-        {"SelfCollision::search is 255", "SelfCollisionSearch::shifted_grids",
-         [](ClothSettings& s) { s.self_collision.search = static_cast<SelfCollisionSearch>(255); }},
     };
     for (const auto& c : cases) {
         Settings settings;

@@ -25,7 +25,7 @@ ClothSettings that_sleeps() {
 }
 ClothSettings that_meets() {
     ClothSettings settings = that_sleeps();
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     return settings;
 }
 

@@ -46,8 +46,8 @@ struct Kind {
 std::vector<Kind> kinds() {
     std::vector<Kind> all(11);
     all[0].name = "default";
-    all[1] = {"contact", {.self_collision = {.enabled = true}}};
-    all[2] = {"zones", {.self_collision = {.enabled = true, .method = SelfCollisionMethod::impact_zones}}};
+    all[1] = {"contact", {.self_collision = {.method = SelfCollisionMethod::contact}}};
+    all[2] = {"zones", {.self_collision = {.method = SelfCollisionMethod::impact_zones}}};
     all[3].name = "stiffening";
     all[3].settings.fabric.stiffening = 2;
     all[4].name = "unbent";
@@ -157,7 +157,7 @@ TEST(StepScratch, IsThereOnceForEachThread) {
 // Cloths that may meet may all be one equation. So may those that a body may touch.
 TEST(StepScratch, IsThereForAllThatMayFormAGroup) {
     Simulation world(on_threads(1));
-    const ClothSettings contact{.self_collision = {.enabled = true}};
+    const ClothSettings contact{.self_collision = {.method = SelfCollisionMethod::contact}};
     const Cloth cooked(must(cook(sheet(12, 12))), {});
     std::size_t expected = cooked.scratch_bytes;
     std::vector<ClothId> ids;
@@ -179,7 +179,7 @@ TEST(StepScratch, LeavesACopyItsStateAlone) {
         ClothSettings settings;
         double most;  // bytes a particle
     };
-    const ClothSettings contact{.self_collision = {.enabled = true}};
+    const ClothSettings contact{.self_collision = {.method = SelfCollisionMethod::contact}};
     const Case cases[] = {{sheet(64, 64), {}, 300}, {tube(64, 64), {}, 300}, {tube(64, 64), contact, 450}};
     for (const auto& [mesh, settings, most] : cases) {
         const Cloth cooked(must(cook(mesh)), settings);

@@ -240,7 +240,7 @@ TEST(World, SettingsTakeEffectWhileItRuns) {
     const float light = world.cloth(id)->positions[40].w;
     ClothSettings cloth_settings = world.cloth_settings(id).value();
     cloth_settings.fabric.areal_density *= 4;
-    cloth_settings.self_collision.enabled = true;
+    cloth_settings.self_collision.method = SelfCollisionMethod::contact;
     ASSERT_TRUE(world.set_cloth_settings(id, cloth_settings).ok());
     EXPECT_FLOAT_EQ(world.cloth(id)->positions[40].w, light / 4);
     EXPECT_EQ(world.cloth(id)->positions[0].w, 0) << "a pin stays a pin";
@@ -282,7 +282,7 @@ TEST(World, MemoryForSelfCollisionIsThereOnlyWhenUsed) {
     const ClothId id = world.add_cloth(sheet(32, 32)).value();
     const std::uint64_t without = world.cloth_info(id)->bytes;
     ClothSettings settings;
-    settings.self_collision.enabled = true;
+    settings.self_collision.method = SelfCollisionMethod::contact;
     ASSERT_TRUE(world.set_cloth_settings(id, settings).ok());
     EXPECT_GT(world.cloth_info(id)->bytes, without);
     ASSERT_TRUE(world.set_cloth_settings(id, {}).ok());
@@ -345,7 +345,7 @@ TEST(Guard, SpeedIsLimitedAndSaysSo) {
 TEST(Guard, APinThatJumpsAHundredMetresIsSurvived) {
     World world = make_world();
     ClothSettings settings;
-    settings.self_collision.enabled = true;
+    settings.self_collision.method = SelfCollisionMethod::contact;
     const ClothId id = world.add_cloth(sheet(16, 16), settings).value();
     for (const std::uint32_t corner : {0u, 15u}) ASSERT_TRUE(world.pin(id, corner).ok());
     ASSERT_TRUE(world.move_pin(id, 0, {100, 0, 0}).ok());
@@ -360,7 +360,7 @@ TEST(Guard, APinThatJumpsAHundredMetresIsSurvived) {
 TEST(Profile, StagesAddUpToTheStep) {
     World world = make_world();
     ClothSettings settings;
-    settings.self_collision.enabled = true;
+    settings.self_collision.method = SelfCollisionMethod::contact;
     ASSERT_TRUE(world.add_cloth(sheet(64, 64), settings).ok());
     ASSERT_TRUE(world.add_collider({.shape = Plane{.normal = {0, 1, 0}, .offset = -1}}).ok());
     for (int k = 0; k < 20; ++k) world.step(h);

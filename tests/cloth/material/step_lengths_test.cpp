@@ -157,7 +157,7 @@ TEST(StepLengths, ClothThatIsAddedBesideAnotherFallsByOneStep) {
     World world = World::create(Swing::still_air()).value();
     ClothSettings meets;
     meets.air_damping = 0;
-    meets.self_collision = {.enabled = true};
+    meets.self_collision = {.method = SelfCollisionMethod::contact};
     const auto add = [&](float height) {
         return world
             .add_cloth(

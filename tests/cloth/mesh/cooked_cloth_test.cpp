@@ -60,19 +60,15 @@ std::vector<CookedKind> cooked_kinds() {
     };
     add("Plain", [](ClothSettings&) {});
     add("Tethers", [](ClothSettings& s) { s.tethers.enabled = true; });
-    add("Contact", [](ClothSettings& s) { s.self_collision = {.enabled = true}; });
-    add("Zones", [](ClothSettings& s) {
-        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::impact_zones};
-    });
-    add("Avoidance", [](ClothSettings& s) {
-        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
-    });
+    add("Contact", [](ClothSettings& s) { s.self_collision = {.method = SelfCollisionMethod::contact}; });
+    add("Zones", [](ClothSettings& s) { s.self_collision = {.method = SelfCollisionMethod::impact_zones}; });
+    add("Avoidance", [](ClothSettings& s) { s.self_collision = {.method = SelfCollisionMethod::avoidance}; });
     add("Sleep", [](ClothSettings& s) { s.sleep_speed = 1e-3f; });
     add("Stiffening", [](ClothSettings& s) { s.fabric.stiffening = 100; });
     add("BendingRatio", [](ClothSettings& s) { s.fabric.bending_ratio = 4; });
     add("BendingRatioAvoidance", [](ClothSettings& s) {
         s.fabric.bending_ratio = 0.3f;
-        s.self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+        s.self_collision = {.method = SelfCollisionMethod::avoidance};
     });
     add("Elements", [](ClothSettings& s) { s.finite_elements.enabled = true; });
     add("Dihedral", [](ClothSettings& s) {
@@ -236,9 +232,10 @@ TEST_P(CookedCase, TakesOtherSettingsThanThoseOfItsCooking) {
     others[1] = {};
     others[2] = {};
     others[2].finite_elements.enabled = true;
-    if (others[3].self_collision.enabled) others[3].self_collision.distance = 0.03f;
-    others[4].self_collision = {.enabled = true};
-    others[5].self_collision = {.enabled = true, .method = SelfCollisionMethod::avoidance};
+    if (others[3].self_collision.method != SelfCollisionMethod::off)
+        others[3].self_collision.distance = 0.03f;
+    others[4].self_collision = {.method = SelfCollisionMethod::contact};
+    others[5].self_collision = {.method = SelfCollisionMethod::avoidance};
     others[6].fabric.bending_ratio *= 5;
     for (const ClothSettings& settings : others) {
         World by_mesh = windy_world(), read = windy_world();

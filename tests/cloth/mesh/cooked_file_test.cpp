@@ -49,8 +49,8 @@ TEST(CookedCloth, IsRefusedIfAnyByteIsCutOffOrAnother) {
 // What names what is not there, though nothing says that it is damaged.
 class AlteredCookedCloth : public testing::TestWithParam<SelfCollision> {};
 
-constexpr SelfCollision off{}, contact{.enabled = true},
-    avoidance{.enabled = true, .method = SelfCollisionMethod::avoidance};
+constexpr SelfCollision off{}, contact{.method = SelfCollisionMethod::contact},
+    avoidance{.method = SelfCollisionMethod::avoidance};
 constexpr std::array<const char*, 3> names = {"Off", "Contact", "Avoidance"};
 
 INSTANTIATE_TEST_SUITE_P(All, AlteredCookedCloth, testing::Values(off, contact, avoidance),

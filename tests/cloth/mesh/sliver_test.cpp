@@ -314,7 +314,7 @@ TEST(Sliver, FallsInContactWithoutBeingDrawnOut) {
             }
         }
         ClothSettings settings;
-        settings.self_collision = {.enabled = true};
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
         World world = World::create({.threads = 1}).value();
         (void)test::must(world.add_cloth(mesh, settings));
         float beyond = 0;

@@ -34,7 +34,7 @@ struct Scene {
     }
     void build() {
         ClothSettings meets;
-        meets.self_collision = {.enabled = true};
+        meets.self_collision = {.method = SelfCollisionMethod::contact};
         ClothSettings worn;
         worn.frame_inertia = {.linear = 0.4f, .angular = 0.7f};
         ClothSettings calm;
@@ -127,7 +127,7 @@ std::vector<NamedCall> calls() {
         {"set_cloth_settings alone",
          [](Scene& s) {
              if (auto c = s.world.cloth_settings(s.cloths[0])) {
-                 c->self_collision.enabled = false;
+                 c->self_collision.method = SelfCollisionMethod::off;
                  (void)s.world.set_cloth_settings(s.cloths[0], *c);
              }
          }},

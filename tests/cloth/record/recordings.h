@@ -91,7 +91,7 @@ struct EveryCall {
 
     void add() {
         ClothSettings meets;
-        meets.self_collision = {.enabled = true};
+        meets.self_collision = {.method = SelfCollisionMethod::contact};
         ClothSettings fibres;
         fibres.method = Fibres{.iterations = 2, .shear = Fibres::SetSolver::ldlt};
         ClothSettings limits;

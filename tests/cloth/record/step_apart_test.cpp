@@ -25,7 +25,7 @@ World make_world(int threads) {
 struct Game {
     explicit Game(int threads) : world(make_world(threads)) {
         ClothSettings meets;
-        meets.self_collision = {.enabled = true};
+        meets.self_collision = {.method = SelfCollisionMethod::contact};
         meets.substeps = 2;
         ClothSettings carried;
         carried.frame_inertia = {.linear = 0.5f, .angular = 0.5f};

@@ -298,7 +298,8 @@ TEST(Passes, SmallPiecesOfStiffFabricComeToRest) {
                               .value();
         ClothSettings settings;
         settings.fabric = Fabric::named(napkin.fabric).value();
-        settings.self_collision = {.enabled = napkin.side == 33};
+        settings.self_collision = {.method = napkin.side == 33 ? SelfCollisionMethod::contact
+                                                               : SelfCollisionMethod::off};
         const ClothId id = world.add_cloth(mesh, settings).value();
         ASSERT_TRUE(world.pin(id, 0));
         ASSERT_TRUE(world.pin(id, napkin.side - 1));

@@ -287,7 +287,7 @@ TEST(Contacts, DoNotDependOnTheNumberOfThreads) {
         world_settings.threads = threads;
         World world = World::create(world_settings).value();
         ClothSettings settings;
-        settings.self_collision.enabled = true;
+        settings.self_collision.method = SelfCollisionMethod::contact;
         const Mesh mesh =
             make_sheet(
                 {.rows = 33, .columns = 31, .origin = {-0.5f, 0.31f, -0.5f}, .u = {1, 0, 0}, .v = {0, 0, 1}})

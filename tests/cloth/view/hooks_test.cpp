@@ -96,7 +96,8 @@ TEST(Hooks, BuffersAreTheHostsAndAreCounted) {
         EXPECT_EQ(memory_in_use().blocks, static_cast<std::uint64_t>(host.blocks));
         const auto said = static_cast<double>(world.cloth_info(cloth)->bytes);
         EXPECT_GT(static_cast<double>(host.bytes), 0.9 * said) << "of all that a cloth says it has";
-        ASSERT_TRUE(world.add_cloth(small_sheet(), {.self_collision = {.enabled = true}}));
+        ASSERT_TRUE(
+            world.add_cloth(small_sheet(), {.self_collision = {.method = SelfCollisionMethod::contact}}));
         const std::int64_t calls = host.calls;
         for (int k = 0; k < 5; ++k) world.step(h);
         EXPECT_EQ(host.calls, calls) << "a step takes none";
@@ -117,7 +118,8 @@ TEST(Hooks, AnyAllocationMayFailAndNothingHasChanged) {
     std::int64_t failures = 0;
     for (std::int64_t allowed = 0;; allowed += 1 + allowed / 8) {
         host.left = allowed;
-        const auto added = world.add_cloth(mesh, {.self_collision = {.enabled = true}});
+        const auto added =
+            world.add_cloth(mesh, {.self_collision = {.method = SelfCollisionMethod::contact}});
         const bool ran_out = host.left < 0;
         host.left = -1;
         if (!ran_out) break;

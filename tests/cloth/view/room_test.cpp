@@ -14,7 +14,7 @@ namespace {
 
 ClothSettings in_contact(SelfCollisionMethod method = SelfCollisionMethod::contact) {
     ClothSettings settings;
-    settings.self_collision = {.enabled = true, .method = method};
+    settings.self_collision = {.method = method};
     return settings;
 }
 

@@ -312,7 +312,9 @@ TEST(View, MemoryIsThereWhateverIsCalled) {
         ClothSettings settings;
         settings.method = method;
         settings.fabric.areal_density = 0.3f;
-        settings.self_collision.enabled = std::holds_alternative<Multilevel>(method);
+        settings.self_collision.method = std::holds_alternative<Multilevel>(method)
+                                             ? SelfCollisionMethod::contact
+                                             : SelfCollisionMethod::off;
         ASSERT_TRUE(scene.world.set_cloth_settings(scene.cloth, settings));
         scene.steps(1);
         expect_same("set_cloth_settings");

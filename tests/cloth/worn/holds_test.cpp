@@ -183,7 +183,8 @@ TEST(Holds, ClothThatCannotGetThereStaysOff) {
 TEST(Holds, PinsFasterThanAllowedAreTold) {
     for (const bool contact : {false, true}) {
         ClothSettings settings;
-        settings.self_collision = {.enabled = contact};
+        settings.self_collision = {.method =
+                                       contact ? SelfCollisionMethod::contact : SelfCollisionMethod::off};
         Hung hung(settings);
         WorldSettings slow = hung.world.settings();
         slow.max_speed = 5;

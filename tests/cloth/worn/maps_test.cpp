@@ -59,7 +59,8 @@ std::vector<MapCase> map_cases() {
         solved(s);
         s.finite_elements.enabled = true;
     });
-    add("Contact", true, [](ClothSettings& s) { s.self_collision = {.enabled = true}; });
+    add("Contact", true,
+        [](ClothSettings& s) { s.self_collision = {.method = SelfCollisionMethod::contact}; });
     return result;
 }
 class MapOf : public testing::TestWithParam<MapCase> {};

@@ -27,7 +27,7 @@ std::vector<TeleportCase> teleport_cases() {
     add("Default", [](ClothSettings&) {});
     add("BackwardEuler", [](ClothSettings& s) { s.time_scheme = TimeScheme::backward_euler; });
     add("Tethers", [](ClothSettings& s) { s.tethers.enabled = true; });
-    add("Contact", [](ClothSettings& s) { s.self_collision = {.enabled = true}; });
+    add("Contact", [](ClothSettings& s) { s.self_collision = {.method = SelfCollisionMethod::contact}; });
     add("Xpbd", [](ClothSettings& s) { s.method = Xpbd{}; });
     add("Elements", [](ClothSettings& s) {
         s.finite_elements.enabled = true;
@@ -142,7 +142,7 @@ TEST(MoveCloth, TakesTargetsAlong) {
 TEST(MoveCloth, AcrossAnotherIsLetApart) {
     World world = World::create(vacuum()).value();
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     const ClothId a = world.add_cloth(sheet(9, 9), settings).value(),
                   b = world.add_cloth(sheet(9, 9), settings).value();
     ASSERT_TRUE(world.move_cloth(b, {.translation = {3, 0, 0}}));

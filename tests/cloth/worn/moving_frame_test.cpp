@@ -85,7 +85,7 @@ void expect_as_at_rest(const ClothSettings& settings, float within) {
 
 TEST(MovingFrame, AtNoInertiaIsOneAtRest) {
     ClothSettings solved, contact, euler, xpbd;
-    contact.self_collision = {.enabled = true};
+    contact.self_collision = {.method = SelfCollisionMethod::contact};
     euler.time_scheme = TimeScheme::backward_euler;
     euler.substeps = 2;
     xpbd.method = Xpbd{};
@@ -244,7 +244,7 @@ TEST(MovingFrame, TheOriginsAccelerationIsLinearHoweverTheFrameTurns) {
 TEST(MovingFrame, AcrossOtherClothIsLetApart) {
     World world = World::create(vacuum()).value();
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     settings.frame_inertia = {0, 0, 0};
     const ClothId a = world.add_cloth(sheet(9, 9), settings).value(),
                   b = world.add_cloth(sheet(9, 9), settings).value();

@@ -219,7 +219,7 @@ TEST(WornLimits, LeaveNoVelocityOutOfThem) {
 TEST(WornLimits, YieldToClothAndSaySo) {
     World world = World::create(vacuum()).value();
     ClothSettings settings;
-    settings.self_collision = {.enabled = true};
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
     const ClothId below = world.add_cloth(sheet(12, 12), settings).value();
     std::vector<std::uint32_t> all(144);
     for (std::uint32_t v = 0; v < 144; ++v) all[v] = v;

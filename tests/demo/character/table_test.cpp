@@ -98,7 +98,7 @@ TEST(CharacterTable, Prints) {
                 settings.speed = speed;
                 if (std::getenv("WEFT_CHARACTER_SKIN") != nullptr) settings.surface = BodySurface::skin;
                 settings.cloth.fabric.areal_density = 0.16f;
-                settings.cloth.self_collision.enabled = true;
+                settings.cloth.self_collision.method = SelfCollisionMethod::contact;
                 print_row(name.c_str(), settings, std::atof(wanted));
             }
         }

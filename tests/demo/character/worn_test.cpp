@@ -20,7 +20,7 @@ constexpr float dt = 1.0f / 60;
 CharacterSettings with_contact() {
     CharacterSettings settings;
     settings.cloth.fabric.areal_density = 0.16f;
-    settings.cloth.self_collision.enabled = true;
+    settings.cloth.self_collision.method = SelfCollisionMethod::contact;
     return settings;
 }
 

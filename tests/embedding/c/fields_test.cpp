@@ -242,12 +242,12 @@ static_assert(is(WEFT_INVALID_ARGUMENT - 1, ErrorCode::invalid_argument) &&
               is(WEFT_OUT_OF_MEMORY - 1, ErrorCode::out_of_memory) &&
               is(WEFT_UNSUPPORTED - 1, ErrorCode::unsupported) &&
               is(WEFT_CANCELLED - 1, ErrorCode::cancelled));
-static_assert(is(WEFT_SEARCH_EXACT, SelfCollisionSearch::exact) &&
-              is(WEFT_SEARCH_SHIFTED_GRIDS, SelfCollisionSearch::shifted_grids) &&
-              is(WEFT_SEARCH_SORTED_SWEEP, SelfCollisionSearch::sorted_sweep));
-static_assert(is(WEFT_SELF_AVOIDANCE, SelfCollisionMethod::avoidance) &&
+static_assert(is(WEFT_SELF_OFF, SelfCollisionMethod::off) &&
               is(WEFT_SELF_CONTACT, SelfCollisionMethod::contact) &&
-              is(WEFT_SELF_IMPACT_ZONES, SelfCollisionMethod::impact_zones));
+              is(WEFT_SELF_IMPACT_ZONES, SelfCollisionMethod::impact_zones) &&
+              is(WEFT_SELF_AVOIDANCE, SelfCollisionMethod::avoidance) &&
+              is(WEFT_SELF_AVOIDANCE_BY_SHIFTED_GRIDS, SelfCollisionMethod::avoidance_by_shifted_grids) &&
+              is(WEFT_SELF_AVOIDANCE_BY_SORTED_SWEEP, SelfCollisionMethod::avoidance_by_sorted_sweep));
 static_assert(is(WEFT_SET_GAUSS_SEIDEL, Fibres::SetSolver::gauss_seidel) &&
               is(WEFT_SET_LDLT, Fibres::SetSolver::ldlt));
 static_assert(is(WEFT_TIME_OF_METHOD, TimeScheme::of_method) &&

@@ -189,7 +189,7 @@ void record(const char* folder) {
         TAKES(weft_world_create(NULL, &world));
         TAKES(weft_mesh_make_sheet(NULL, &mesh));
         weft_cloth_settings_init(&settings, sizeof settings);
-        settings.self_collision.enabled = 1;
+        settings.self_collision.method = WEFT_SELF_CONTACT;
         settings.self_collision.distance = 5; /* more particles than Weft keeps a list of */
         REFUSES(WEFT_INVALID_ARGUMENT, "distance", weft_world_add_cloth(world, mesh, &settings, &cloth));
         TAKES(to_file ? weft_world_start_recording(world, file)

@@ -293,9 +293,11 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.time_scheme = random.one_of({TimeScheme::of_method, TimeScheme::backward_euler, TimeScheme::bdf2});
     s.tethers.enabled = random.chance(0.3);
     s.tethers.slack = random.chance(0.5) ? 1 : 1 + fields.zero_or_more(1e-3f, 1);
-    s.self_collision.enabled = random.chance(0.3);
-    s.self_collision.method = random.one_of(
-        {SelfCollisionMethod::contact, SelfCollisionMethod::avoidance, SelfCollisionMethod::impact_zones});
+    if (random.chance(0.3))
+        s.self_collision.method =
+            random.one_of({SelfCollisionMethod::contact, SelfCollisionMethod::impact_zones,
+                           SelfCollisionMethod::avoidance, SelfCollisionMethod::avoidance_by_shifted_grids,
+                           SelfCollisionMethod::avoidance_by_sorted_sweep});
     if (s.self_collision.method == SelfCollisionMethod::impact_zones && random.chance(0.5))
         s.self_collision.restitution = random.between(0, 1);
     s.self_collision.layers = random.chance(0.8) ? 1u : 2u;
@@ -305,11 +307,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     if (random.chance(0.5))
         s.frame_inertia = {random.between(0, 1), random.chance(0.3) ? 1.0f : random.between(0, 1),
                            random.between(0, 1)};
-    s.self_collision.search = random.chance(0.2)   ? SelfCollisionSearch::shifted_grids
-                              : random.chance(0.2) ? SelfCollisionSearch::sorted_sweep
-                                                   : SelfCollisionSearch::exact;
     // A distance of very many edges is refused, by the mesh.
-    if (s.self_collision.enabled && s.self_collision.distance > 0 && drawn.answer == Answer::accepted)
+    if (s.self_collision.method != SelfCollisionMethod::off && s.self_collision.distance > 0 &&
+        drawn.answer == Answer::accepted)
         drawn.answer = Answer::either;
     const bool stiffens = !is_positional(s.method) && !s.finite_elements.enabled;
     if (random.chance(0.3) && (stiffens || fields.odd_choice()))

@@ -39,7 +39,7 @@ struct FullWorld {
             must(world.start_recording(sink_to(*recorded)).ok(), "a World cannot be recorded");
         const auto sheet = make_sheet({.rows = 7, .columns = 6});
         ClothSettings settings;
-        settings.self_collision.enabled = true;
+        settings.self_collision.method = SelfCollisionMethod::contact;
         for (const float height : {0.3f, 0.4f}) {
             Mesh mesh = *sheet;
             for (Vec3& p : mesh.positions) p.y += height;
@@ -91,7 +91,7 @@ bool read_obj(Random& random, const std::filesystem::path& folder) {
 bool read_cooked(Random& random, const std::filesystem::path&) {
     static const Bytes saved = [] {
         ClothSettings settings;
-        settings.self_collision.enabled = true;
+        settings.self_collision.method = SelfCollisionMethod::contact;
         const CookedCloth cooked = CookedCloth::create(tube(8, 6), settings).value();
         Bytes bytes(cooked.save_size());
         must(cooked.save(bytes).ok(), "a cooked cloth cannot be saved");
@@ -104,7 +104,7 @@ bool read_cooked(Random& random, const std::filesystem::path&) {
         if (random.chance(0.95)) test::seal_cooked(bytes);
     }
     ClothSettings settings;
-    settings.self_collision.enabled = true;
+    settings.self_collision.method = SelfCollisionMethod::contact;
     const auto cooked = CookedCloth::load(bytes, settings);
     if (!cooked) {
         must(!cooked.error().message.empty(), "a refusal without a word");

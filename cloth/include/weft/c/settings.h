@@ -39,14 +39,18 @@ typedef struct WeftFrameInertia {
 } WeftFrameInertia;
 
 // weft/self_collision.h
-enum { WEFT_SEARCH_EXACT, WEFT_SEARCH_SHIFTED_GRIDS, WEFT_SEARCH_SORTED_SWEEP };
-enum { WEFT_SELF_AVOIDANCE, WEFT_SELF_CONTACT, WEFT_SELF_IMPACT_ZONES };
+enum {
+    WEFT_SELF_OFF,
+    WEFT_SELF_CONTACT,
+    WEFT_SELF_IMPACT_ZONES,
+    WEFT_SELF_AVOIDANCE,
+    WEFT_SELF_AVOIDANCE_BY_SHIFTED_GRIDS,
+    WEFT_SELF_AVOIDANCE_BY_SORTED_SWEEP
+};
 typedef struct WeftSelfCollision {
-    WeftBool enabled;
     int32_t method;  // WEFT_SELF_...
     float distance;
     float friction;
-    int32_t search;  // WEFT_SEARCH_...
     float restitution;
     uint32_t layers, mask;
 } WeftSelfCollision;
