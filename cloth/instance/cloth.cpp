@@ -44,7 +44,7 @@ float distance_of(const ClothModel& model, const SelfCollision& of) {
 
 /// Capacity for the pairs of features that are in the equation.
 std::size_t pairs_in_equation(const ClothModel& model, const SelfCollision& of) {
-    return has_features(of) && !has_zones(of) ? FeatureContact::room_for_pairs(model.particle_count) : 0;
+    return has_pairs(of) ? FeatureContact::room_for_pairs(model.particle_count) : 0;
 }
 
 /// The mesh of features, with the rest positions by which searches pass over calm parts: of a grid its flat
@@ -196,8 +196,7 @@ void Cloth::apply_to_model(const ClothSettings& changed, const MakeRoom& make_ro
         new_rest_neighbours = std::move(found).value();
     }
     std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
-    if (weft::has_features(self_collision) && !has_zones(self_collision))
-        reserve_pairs(other_solver ? *other_solver : *solver);
+    if (has_pairs(self_collision)) reserve_pairs(other_solver ? *other_solver : *solver);
     if (!other_solver) solver->make_own(changed);
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
                               self_collision.mask != settings.self_collision.mask;
@@ -297,8 +296,7 @@ void Cloth::reserve_pairs(Solver& with) const {
 
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
-    const bool with_pairs =
-        weft::has_features(of.self_collision) && !has_zones(of.self_collision) && with.joins();
+    const bool with_pairs = has_pairs(of.self_collision) && with.joins();
     const bool with_surfaces = (any_colliders && meets_in_equation(of)) || worn.has_limits();
     const bool needed = with.is_implicit() && (with_surfaces || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
@@ -312,9 +310,9 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         contacts = std::move(made->contacts);
         if (!goes_on) state.held = std::move(made->held);
     }
-    const bool has_pairs = has_features() && !has_zones(settings.self_collision) && solver->joins();
+    const bool with_pairs = has_features() && !has_zones(settings.self_collision) && solver->joins();
     const bool with_surfaces = (any_colliders && meets_in_equation(settings)) || worn.has_limits();
-    if (solver->is_implicit() && (with_surfaces || has_pairs)) return;
+    if (solver->is_implicit() && (with_surfaces || with_pairs)) return;
     contacts.reset();
     state.held = {};
 }
@@ -420,16 +418,17 @@ void Cloth::change_pins(std::vector<Pin>&& pins) {
         state.positions[particle].w = state.previous_positions[particle].w = inverse_mass;
         solver->inverse_mass_changed(particle, state.positions.span());
     };
-    for (const std::uint32_t i : now) {
-        if (std::ranges::binary_search(before, i)) continue;
-        state.velocities[i] = {};
-        set_inverse_mass(i, 0);
-    }
     bool any_released = false;
+    // Releases come first, so that never more particles are pinned than memory was reserved for.
     for (const std::uint32_t i : before) {
         if (std::ranges::binary_search(now, i)) continue;
         set_inverse_mass(i, inverse_mass_when_free(i));
         any_released = true;
+    }
+    for (const std::uint32_t i : now) {
+        if (std::ranges::binary_search(before, i)) continue;
+        state.velocities[i] = {};
+        set_inverse_mass(i, 0);
     }
     state.pins = std::move(pins);
     wake();

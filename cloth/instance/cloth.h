@@ -126,6 +126,10 @@ struct ShownCloth {
 [[nodiscard]] inline bool has_zones(const SelfCollision& settings) {
     return settings.method == SelfCollisionMethod::impact_zones;
 }
+/// Whether pairs of these features are in the equation.
+[[nodiscard]] inline bool has_pairs(const SelfCollision& settings) {
+    return settings.enabled && settings.method == SelfCollisionMethod::contact;
+}
 
 /// Whether colliders are in the equation, provided that the solver is implicit.
 [[nodiscard]] inline bool meets_in_equation(const ClothSettings& settings) {

@@ -99,6 +99,7 @@ struct ClothState {
     std::optional<DetailState> detail;  ///< only with a budget
     AlignedBuffer<Vec4> ahead;          ///< only with a budget: positions at the end of a long step [m]
     std::uint32_t halved = 0;           ///< steps still to be taken in halves, since contact cut much of late
+    static constexpr std::uint32_t most_halved = 10;
 
     ClothState() = default;
     explicit ClothState(std::uint32_t particles)

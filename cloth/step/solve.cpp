@@ -51,10 +51,9 @@ bool was_cut_much(std::span<Cloth* const> featured) {
 }
 
 void count_halved_steps(std::span<Cloth* const> featured, bool cut_much) {
-    constexpr std::uint32_t more = 10;
     for (Cloth* cloth : featured) {
         std::uint32_t& halved = cloth->state.halved;
-        halved = cut_much ? more : halved - std::min(halved, 1u);
+        halved = cut_much ? ClothState::most_halved : halved - std::min(halved, 1u);
     }
 }
 

@@ -156,6 +156,9 @@ Result<void> check_detail(const std::string& name, const ClothHead& head, const 
     if (detail.rung >= rung_count)
         return unsound(name + "its rung is " + std::to_string(detail.rung) + "; it must be from 0 to " +
                        std::to_string(rung_count - 1));
+    if (detail.phase >= greatest_rate && detail.phase != DetailState::no_phase)
+        return unsound(name + "its long steps begin at " + std::to_string(detail.phase) +
+                       "; it must be below " + std::to_string(greatest_rate));
     if (detail.rate < 1 || detail.rate > greatest_rate || detail.left > detail.rate)
         return unsound(name + "its step is " + std::to_string(detail.rate) + " long, of which " +
                        std::to_string(detail.left) + " are left; it must be from 1 to " +
@@ -164,10 +167,27 @@ Result<void> check_detail(const std::string& name, const ClothHead& head, const 
 }
 
 Result<void> check_skin(const std::string& name, const ClothState& here, const SavedNumbers& numbers) {
-    numbers.skip(sizeof here.skin.known);
+    const bool known = numbers.one<std::uint32_t>() <= 1;
     const bool places = numbers.rows_within(2 * here.skin.places.size(), farthest_part);
     const bool normals = numbers.rows_within(2 * here.skin.normals.size(), 2);
-    return sound_or(places && normals, name, "its skin is no place");
+    return sound_or(known && places && normals, name, "its skin is no place");
+}
+
+Result<void> check_rest(const std::string& name, const Rest& rest) {
+    return sound_or(std::isfinite(rest.still_for) && rest.still_for >= 0 && rest.asleep <= 1, name,
+                    "the time of its rest is none");
+}
+
+Result<void> check_tangles(const std::string& name, const ClothState& here, const SavedNumbers& numbers) {
+    bool sound = true;
+    for (std::size_t i = 0; i < here.tangles.size(); ++i) {
+        const auto its = numbers.one<TangleMemory>();
+        sound = sound && its.steps <= TangleMemory::steps_remembered && its.votes <= 1 &&
+                std::isfinite(its.stalled) && its.stalled >= 0;
+    }
+    const auto may_cross = numbers.one<std::uint32_t>(), halved = numbers.one<std::uint32_t>();
+    return sound_or(sound && may_cross <= 1 && halved <= ClothState::most_halved, name,
+                    "its tangles are none that a step leaves");
 }
 
 }  // namespace
@@ -205,7 +225,7 @@ Result<void> check_shape_part(std::size_t number, const ShapeHead& head, const S
     return sound_or(places && ways, "its shape " + std::to_string(number), " has a vertex that is no place");
 }
 
-// In the order of for_each_part(). Parts behind the skin are not checked: steps accept any values there.
+// In the order of for_each_part().
 Result<void> check_cloth_part(std::size_t number, const ClothHead& head, const ClothState& here,
                               const SaveReader& reader) {
     const std::string name = "in its cloth " + std::to_string(number) + " ";
@@ -220,11 +240,13 @@ Result<void> check_cloth_part(std::size_t number, const ClothHead& head, const C
         if (auto frame = check_frame(name, numbers.one<FrameState>()); !frame) return frame;
     if (auto record = check_record(name, head, numbers); !record) return record;
     if (auto held = check_held(name, here, numbers); !held) return held;
-    if (head.rest != 0) numbers.skip(sizeof(Rest));
+    if (head.rest != 0)
+        if (auto rest = check_rest(name, numbers.one<Rest>()); !rest) return rest;
     if (here.detail)
         if (auto detail = check_detail(name, head, numbers); !detail) return detail;
     if (here.skin.places.size() > 0)
         if (auto skin = check_skin(name, here, numbers); !skin) return skin;
+    if (here.tangles.size() > 0) return check_tangles(name, here, numbers);
     return {};
 }
 

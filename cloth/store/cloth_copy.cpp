@@ -39,7 +39,7 @@ Cloth::Cloth(const Cloth& cooked)
     if (cooked.history) history.emplace();
     for (const std::unique_ptr<Limit>& limit : cooked.limits) limits.push_back(limit->clone());
     const SelfCollision& self_collision = settings.self_collision;
-    if (weft::has_features(self_collision) && !has_zones(self_collision)) reserve_pairs(*solver);
+    if (has_pairs(self_collision)) reserve_pairs(*solver);
     take_features(make_features(self_collision), self_collision);
     scratch_bytes = scratch_of_steps(*solver, history.has_value(), self_collision, contact_mesh.get());
     take_contacts(make_contacts(false), false);

@@ -137,9 +137,9 @@ void draw_contact(const Pen& pen, const Contact& contact) {
 
 void debug_draw(const Simulation& simulation, const DebugCanvas& canvas, DebugParts parts) {
     const Pen pen(canvas);
-    Vector3 middle = Vector3::Zero();
+    Eigen::AlignedBox3f all;  // of all cloths
     simulation.cloths.for_each([&](ClothId id, const std::unique_ptr<Cloth>& cloth) {
-        middle = 0.5f * (to_vector(cloth->extent.lower) + to_vector(cloth->extent.upper));
+        all.extend(to_vector(cloth->extent.lower)).extend(to_vector(cloth->extent.upper));
         if (has(parts, DebugParts::strain)) draw_strain(pen, *cloth);
         if (has(parts, DebugParts::velocities)) draw_velocities(pen, *cloth);
         if (has(parts, DebugParts::pins)) draw_pins(pen, *cloth);
@@ -153,8 +153,9 @@ void debug_draw(const Simulation& simulation, const DebugCanvas& canvas, DebugPa
     if (has(parts, DebugParts::contacts))
         for (const Contact& contact : simulation.contacts()) draw_contact(pen, contact);
     if (!has(parts, DebugParts::colliders)) return;
+    if (all.isEmpty()) all.extend(Vector3::Zero().eval());
     simulation.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
-        draw_collider(pen, slot.current, simulation.held_by(slot.current), middle, grey);
+        draw_collider(pen, slot.current, simulation.held_by(slot.current), all, grey);
     });
 }
 

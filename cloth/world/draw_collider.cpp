@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -37,12 +38,12 @@ void draw_capsule(const Pen& pen, const Vector3& a, const Vector3& b, float radi
     }
 }
 
-/// A square of 4 m, with a line every half metre.
-void draw_plane(const Pen& pen, const Plane& plane, const Vector3& about, const Vec3& colour) {
+/// A square of nine lines each way, at least 4 m wide, under or over all of the box.
+void draw_plane(const Pen& pen, const Plane& plane, const Eigen::AlignedBox3f& about, const Vec3& colour) {
     constexpr int lines = 4;
-    constexpr float spacing = 0.5f;
+    const float spacing = std::max(2.0f, 0.5f * about.diagonal().norm()) / lines;
     const auto [normal, offset] = unit(plane);
-    const Vector3 centre = about - (normal.dot(about) - offset) * normal;
+    const Vector3 middle = about.center(), centre = middle - (normal.dot(middle) - offset) * normal;
     const auto [u, v] = across(normal);
     for (int k = -lines; k <= lines; ++k) {
         const float along = spacing * static_cast<float>(k), end = spacing * lines;
@@ -114,8 +115,8 @@ void Pen::circle(const Vector3& centre, const Vector3& u, const Vector3& v, cons
     }
 }
 
-void draw_collider(const Pen& pen, const Collider& collider, const HeldShape* held, const Vector3& about,
-                   const Vec3& colour) {
+void draw_collider(const Pen& pen, const Collider& collider, const HeldShape* held,
+                   const Eigen::AlignedBox3f& about, const Vec3& colour) {
     const auto draw = [&]<class Shape>(const Shape& shape) {
         if constexpr (std::same_as<Shape, Sphere>)
             draw_ball(pen, to_vector(shape.center), shape.radius, colour);

@@ -33,8 +33,8 @@ class Pen {
     const DebugCanvas& canvas_;
 };
 
-/// `held`: the shape of a PlacedShape. A plane is drawn around `about`.
-void draw_collider(const Pen& pen, const Collider& collider, const HeldShape* held, const Vector3& about,
-                   const Vec3& colour);
+/// `held`: the shape of a PlacedShape. A plane is drawn as far as the box `about` extends, or farther.
+void draw_collider(const Pen& pen, const Collider& collider, const HeldShape* held,
+                   const Eigen::AlignedBox3f& about, const Vec3& colour);
 
 }  // namespace weft

@@ -103,6 +103,8 @@ Cores::Cores(const ColliderMotion& motion, float h, bool with_edges) {
             add_box(moving(start, end, pace), with_edges);
         } else if constexpr (std::is_same_v<Shape, HeldInstance>) {
             add_held(moving(start, end, pace), with_edges);
+        } else {
+            static_assert(std::is_same_v<Shape, Plane>, "only a plane has no core");
         }
     });
 }

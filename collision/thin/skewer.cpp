@@ -92,14 +92,9 @@ bool Skewer::take_off(const Triangle& corners, float h, std::span<Vec4> position
     const bool forwards = over_last_ && (!over_first_ || to_last < to_first);
     const float length = std::min(forwards ? to_last : to_first, speed * h);
     const Vector3 way = cores_->in_world({forwards ? length : -length, 0, 0});
-    const float yields = yielding(found->weights, [&](std::size_t k) { return positions[corners[k]].w; });
-    if (!(yields > 0)) return false;
-    for (std::size_t k = 0; k < 3; ++k) {
-        Vec4& position = positions[corners[k]];
-        const float share = found->weights[k] * position.w / yields;
-        if (share != 0) set_xyz(position, xyz(position) + share * way);
-    }
-    return true;
+    return share_push(corners, found->weights, positions, [&](std::uint32_t i, float share) {
+        set_xyz(positions[i], xyz(positions[i]) + share * way);
+    });
 }
 
 }  // namespace weft

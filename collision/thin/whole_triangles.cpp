@@ -115,9 +115,6 @@ struct WholeTriangles::Meeting {
 // The impulse is shared by masses and weights (Bridson, Fedkiw, Anderson 2002, equation 7 and section 7.3).
 // Coulomb's friction moves positions, too, as in collide().
 void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& approach) const {
-    const auto inverse_mass = [&](std::size_t k) { return particles.positions[corners[k]].w; };
-    const float yields = yielding(approach.weights, inverse_mass);
-    if (!(yields > 0)) return;
     float rubs = 0;
     Vector3 velocity = -cores.velocity_at(approach.core);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -134,14 +131,11 @@ void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& appr
     const float speed = sliding.norm(), limit = rubs * motion.end.friction * taken;
     const Vector3 stopped = speed > limit ? Vector3((limit / speed) * sliding) : sliding;
     const Vector3 kick = taken * normal - stopped, way = approach.depth * normal - h * stopped;
-    for (std::size_t k = 0; k < 3; ++k) {
-        Vec4& position = particles.positions[corners[k]];
-        const float share = approach.weights[k] * position.w / yields;
-        if (share == 0) continue;
+    share_push(corners, approach.weights, particles.positions, [&](std::uint32_t i, float share) {
+        Vec4 &position = particles.positions[i], &own = particles.velocities[i];
         set_xyz(position, xyz(position) + share * way);
-        Vec4& own = particles.velocities[corners[k]];
         set_xyz(own, xyz(own) + share * kick);
-    }
+    });
 }
 
 WholeTriangles::WholeTriangles(std::span<const Triangle> triangles, std::uint32_t particles, float mean_edge)

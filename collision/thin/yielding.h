@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "weft/types.h"
 
 namespace weft {
 
@@ -20,6 +24,19 @@ template <class InverseMass>
     for (std::size_t k = 0; k < 3; ++k)
         yields += weights[k] * weights[k] * std::max(inverse_mass(k), least_part * lightest);
     return lightest > 0 ? yields : 0;
+}
+
+/// Calls move(corner, share) for each corner of a triangle that a push moves, with its share of the push.
+/// Returns false if it moves none.
+template <class Move>
+bool share_push(const std::array<std::uint32_t, 3>& corners, const std::array<float, 3>& weights,
+                std::span<const Vec4> positions, const Move& move) {
+    const float yields = yielding(weights, [&](std::size_t k) { return positions[corners[k]].w; });
+    if (!(yields > 0)) return false;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (const float share = weights[k] * positions[corners[k]].w / yields; share != 0)
+            move(corners[k], share);
+    return true;
 }
 
 }  // namespace weft

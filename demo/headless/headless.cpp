@@ -76,7 +76,8 @@ void print_summary(const Simulation& simulation, const FrameTable& table, const 
                 static_cast<double>(bytes) / std::max(1.0, static_cast<double>(report.particles)));
     std::fputs(table.summary().c_str(), stdout);
     if (troubles.frames > 0)
-        std::printf("in %d frames: %s", troubles.frames, flags_text(troubles.flags).c_str());
+        std::printf("in %d frames: %s", troubles.frames,
+                    flags_text(troubles.flags, speed_of(simulation.world().settings().wind)).c_str());
     std::printf("hash: %016" PRIx64 "\n", simulation.world().state_hash());
 }
 

@@ -10,7 +10,7 @@ namespace weft::demo {
 
 /// One line for each flag that is set: what happened and the setting to change. Empty if none is.
 /// `wind_speed` [m/s]: a strong wind is a cause, too.
-[[nodiscard]] std::string flags_text(StepFlags flags, float wind_speed = 0);
+[[nodiscard]] std::string flags_text(StepFlags flags, float wind_speed);
 
 /// The wind's greatest speed with its gusts [m/s].
 [[nodiscard]] float speed_of(const Wind& wind);

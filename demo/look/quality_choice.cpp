@@ -1,6 +1,7 @@
 #include "demo/look/quality_choice.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace weft::demo {
 namespace {
@@ -39,8 +40,13 @@ std::span<const QualityLevel> quality_levels() {
     return ladder;
 }
 
-void QualityChoice::add(float milliseconds) {
+void QualityChoice::add(float milliseconds, int pixels) {
     static_assert(std::size(ladder) == levels);
+    if (std::exchange(pixels_, pixels) != pixels) {
+        measured_ = {};
+        waiting_ = settling;
+        count_ = 0;
+    }
     if (waiting_ > 0) {
         --waiting_;
         return;
@@ -81,12 +87,6 @@ void QualityChoice::choose(int level) {
 
 void QualityChoice::start_at(int level) {
     move_to(std::clamp(level, 0, static_cast<int>(levels) - 1));
-}
-
-void QualityChoice::forget() {
-    measured_ = {};
-    waiting_ = settling;
-    count_ = 0;
 }
 
 }  // namespace weft::demo

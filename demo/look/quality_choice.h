@@ -25,12 +25,11 @@ class QualityChoice {
     float pictures_a_second = 30;  ///< least rate; drawing may take two thirds of a picture's time
 
     /// Adds a picture's drawing time at the present level [ms]. The median of eight decides: above limit()
-    /// the level drops; it rises if the better level's expected time is below 0.8 limit().
-    void add(float milliseconds);
+    /// the level drops; it rises if the better level's expected time is below 0.8 limit(). Times of pictures
+    /// of another number of pixels are discarded.
+    void add(float milliseconds, int pixels);
     void choose(int level);    ///< chooses a level by hand: `automatic` ends
     void start_at(int level);  ///< the choice stays automatic
-    /// Discards the measured times: call this when the window's size has changed.
-    void forget();
 
     [[nodiscard]] int level() const { return level_; }
     [[nodiscard]] const QualityLevel& now() const {
@@ -44,7 +43,7 @@ class QualityChoice {
     [[nodiscard]] float expected(int level, float now) const;
     void move_to(int level);
 
-    int level_ = 0, waiting_ = settling;
+    int level_ = 0, waiting_ = settling, pixels_ = 0;
     std::size_t count_ = 0;
     std::array<float, sample> times_{};
     std::array<float, levels> measured_{};  // median of each level [ms]; 0: none yet

@@ -21,11 +21,11 @@ std::filesystem::path numbered(const std::filesystem::path& folder, const char* 
     return folder / name.data();
 }
 
-/// The first unused name of weft-0001, weft-0002, and so on; at most number 9999.
+/// The first unused name of weft-0001, weft-0002, and so on.
 std::filesystem::path free_name(const std::filesystem::path& folder, const char* form) {
     std::error_code ignored;
     int number = 1;
-    while (number < 9999 && std::filesystem::exists(numbered(folder, form, number), ignored)) ++number;
+    while (std::filesystem::exists(numbered(folder, form, number), ignored)) ++number;
     return numbered(folder, form, number);
 }
 

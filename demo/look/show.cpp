@@ -62,7 +62,7 @@ void draw_picture(Picture& picture, const render::View& view, int width, int hei
     if (look.by_processor) picture.renderer().wait();
     const float took =
         look.by_processor ? milliseconds_since(start) : picture.renderer().draw_times().total();
-    look.quality.add(took);
+    look.quality.add(took, width * height);
     look.times.add_picture(took, 1000 * ImGui::GetIO().DeltaTime);
 }
 

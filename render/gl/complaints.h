@@ -6,7 +6,8 @@
 
 namespace weft::render {
 
-/// Collects the debug messages of the current context. The context must outlive this object.
+/// Collects the debug messages of the current context. This object must outlive the context, whose driver
+/// calls it.
 class Complaints {
   public:
     /// Collects nothing where the driver lacks the extension. Precondition: the context is current, and its

@@ -77,9 +77,9 @@ Result<void> load_functions(GLADloadfunc load) {
 }  // namespace
 
 struct Context::Impl {
+    std::optional<Complaints> complaints;  // destroyed last: the driver calls it while its context lasts
     std::optional<Window> window;
     std::optional<OffscreenEgl> offscreen;
-    std::optional<Complaints> complaints;
 };
 
 Context::Context(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -135,11 +135,11 @@ TEST(Panels, SayWhatAClothRefuses) {
 }
 
 TEST(FlagsText, NamesTheSettingToChange) {
-    EXPECT_EQ(flags_text(StepFlags::none), "");
-    EXPECT_NE(flags_text(StepFlags::state_restored).find("substeps"), std::string::npos);
-    EXPECT_NE(flags_text(StepFlags::contacts_dropped).find("layers"), std::string::npos);
-    const std::string both = flags_text(StepFlags::state_restored | StepFlags::contacts_dropped);
-    EXPECT_EQ(both, flags_text(StepFlags::state_restored) + flags_text(StepFlags::contacts_dropped));
+    EXPECT_EQ(flags_text(StepFlags::none, 0), "");
+    EXPECT_NE(flags_text(StepFlags::state_restored, 0).find("substeps"), std::string::npos);
+    EXPECT_NE(flags_text(StepFlags::contacts_dropped, 0).find("layers"), std::string::npos);
+    const std::string both = flags_text(StepFlags::state_restored | StepFlags::contacts_dropped, 0);
+    EXPECT_EQ(both, flags_text(StepFlags::state_restored, 0) + flags_text(StepFlags::contacts_dropped, 0));
 }
 
 }  // namespace

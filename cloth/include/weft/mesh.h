@@ -36,7 +36,7 @@ struct Mesh {
 
     /// Set by make_sheet: vertex (row, column) is positions[row * columns + column], each cell of four is two
     /// triangles, cut along either diagonal, and springs run along the threads (structural, shear, bend). 0:
-    /// a general mesh, with springs on edges and across shared edges.
+    /// a general mesh, with springs on edges, and bending in rings round particles.
     std::uint32_t rows = 0, columns = 0;
 
     /// Optional: for each vertex the first vertex of its particle, possibly itself; a particle's vertices lie

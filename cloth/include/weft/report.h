@@ -60,7 +60,7 @@ struct StepReport {
     std::uint32_t reduced_cloths = 0;     ///< enabled cloths whose rung is not 0: see ClothReport
     std::uint32_t particles = 0;          ///< particles that were stepped
     std::uint32_t collider_contacts = 0;  ///< particles that met a collider, in the last substep
-    std::uint32_t self_contacts = 0;      ///< pairs that are close, in the last substep
+    std::uint32_t self_contacts = 0;  ///< pairs that are close (by zones: that collide), in the last substep
     /// Contacts of the whole step, of which World::contacts() has the strongest; 0 if
     /// WorldSettings::contact_reports is 0.
     std::uint32_t contacts = 0;

@@ -198,7 +198,7 @@ class WEFT_API World {
     Result<void> remove_shape(ShapeId id);
     [[nodiscard]] Result<ShapeInfo> shape_info(ShapeId id) const;
 
-    /// The World's first collider gives each cloth 26 bytes a particle more, or 90 with an implicit method.
+    /// The World's first collider gives each cloth 34 bytes a particle more, or 98 with an implicit method.
     Result<ColliderId> add_collider(const Collider& collider);
     /// Moves the collider to `target` over the next step. It pushes and drags what it meets, where it ends
     /// and on the way. One that would exceed WorldSettings::max_speed jumps, and meets nothing on the way.
@@ -318,8 +318,8 @@ class WEFT_API World {
 
     /// Size of a save in the host's memory [bytes]. It has all that changes from step to step, pins and
     /// colliders included: for going back by some steps, and for saved games. Steps that follow restore()
-    /// give the bytes of those that followed save(), on any number of threads and any processor, whatever was
-    /// done in between.
+    /// give the bytes of those that followed save(), on any number of threads and any processor that rounds
+    /// alike (guide: threads), whatever was done in between.
     ///
     /// Meshes, shapes and settings are not in it, except for the vertices of deformed shapes. A World that
     /// restores it, this one or one made later, must have the same cloths, shapes and colliders, in the order

@@ -85,8 +85,9 @@ std::uint32_t far_from(const Graph& graph, std::uint32_t start, Visits& visits) 
     return start;
 }
 
-/// The number of springs that each particle will have: along its edges, and across those opposite to it.
-std::vector<std::uint32_t> spring_counts(const Topology& topology) {
+/// Estimates the number of particles that each is coupled to: along its edges, and across those opposite to
+/// it. Bending in rings couples more; only the order of the counts matters.
+std::vector<std::uint32_t> coupling_counts(const Topology& topology) {
     std::vector<std::uint32_t> counts(topology.particle_count(), 0);
     for (const Edge& edge : topology.edges) {
         for (const std::uint32_t i : edge.particles) ++counts[i];
@@ -110,7 +111,7 @@ std::vector<std::uint32_t> memory_order(const Topology& topology) {
         spread(graph, far_from(graph, first, visits), visits, order);
         std::reverse(order.begin() + begin, order.end());
     }
-    const std::vector<std::uint32_t> counts = spring_counts(topology);
+    const std::vector<std::uint32_t> counts = coupling_counts(topology);
     for (std::size_t begin = 0; begin < order.size(); begin += window) {
         const auto of_window =
             std::span(order).subspan(begin, std::min<std::size_t>(window, order.size() - begin));

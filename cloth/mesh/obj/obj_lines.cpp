@@ -5,14 +5,11 @@ namespace weft {
 namespace {
 
 constexpr int end_of_file = std::char_traits<char>::eof();
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 }  // namespace
 
-ObjLines::ObjLines(std::istream& stream, const std::string& file) : stream_(*stream.rdbuf()), file_(file) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (at_end() || std::char_traits<char>::to_char_type(stream_.sgetc()) != byte_order_mark[0]) return;
-    for (std::size_t i = 0; i < byte_order_mark.size(); ++i) stream_.sbumpc();
-}
+ObjLines::ObjLines(std::istream& stream, const std::string& file) : stream_(*stream.rdbuf()), file_(file) {}
 
 bool ObjLines::at_end() const {
     return stream_.sgetc() == end_of_file;
@@ -50,6 +47,7 @@ bool ObjLines::append_line() {
         if (text_.size() == most_characters) return false;
         text_.push_back(static_cast<char>(c));
     }
+    if (lines_read_ == 1 && text_.starts_with(byte_order_mark)) text_.erase(0, byte_order_mark.size());
     return true;
 }
 

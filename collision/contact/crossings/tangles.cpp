@@ -7,8 +7,6 @@ namespace weft {
 
 namespace {
 
-// Separated features stay exempt for this number of steps, so that the next crossing does not catch them.
-constexpr std::uint32_t steps_remembered = 2;
 // A contour that has not become shorter for this time [s] is directed by votes.
 constexpr float patience_without_votes = 0.33f;
 // A contour that has not become shorter for this time [s], with votes, is not pushed: it would only jitter.
@@ -89,7 +87,7 @@ void Tangles::name_contours(const Start& start, std::span<const Crossing> crossi
             if (its.steps > 0 && (before == nullptr || its.name < before->name)) before = &its;
         }
         now.name = before != nullptr ? before->name : core_[k].particle + 1;
-        now.steps = steps_remembered;
+        now.steps = TangleMemory::steps_remembered;
         if (before == nullptr) continue;
         const bool begins_to_vote = before->votes == 0 && before->stalled > patience_without_votes;
         now.votes = begins_to_vote ? 1 : before->votes;

@@ -23,6 +23,10 @@ struct TangleMemory {
     std::uint32_t least;  ///< fewest crossings that the contour has had; see `votes`
     std::uint32_t votes;  ///< 1: votes direct the contour, and votes of the minority count as crossings
     float stalled;        ///< time for which the contour has not become shorter [s]
+
+    /// Separated features stay exempt for this number of steps, so that the next crossing does not catch
+    /// them.
+    static constexpr std::uint32_t steps_remembered = 2;
 };
 
 struct TangleCounts {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "cloth/mesh/obj/obj_lines.h"
 #include "cloth/mesh/obj/words.h"
@@ -114,15 +115,18 @@ void take_colour(const std::filesystem::path& file, const MaterialUse& use, Garm
 }
 
 Result<void> check_size(const std::filesystem::path& file, const Mesh& mesh) {
+    std::pair<float, const char*> longest{};
     for (const auto& [coordinate, axis] : {std::pair(&Vec3::x, "x"), {&Vec3::y, "y"}, {&Vec3::z, "z"}}) {
         const auto [low, high] = std::ranges::minmax(mesh.positions, {}, coordinate);
-        const float size = high.*coordinate - low.*coordinate;
-        if (size <= largest && (size >= smallest || *axis != 'z')) continue;
-        return Error{ErrorCode::invalid_mesh,
-                     file.string() + ": is " + std::to_string(size) + " m along " + axis +
-                         "; a garment that fits is 0.1 to 3 m. OBJ files are in metres here"};
+        if (const float size = high.*coordinate - low.*coordinate; size >= longest.first)
+            longest = {size, axis};
     }
-    return {};
+    const auto& [size, axis] = longest;
+    if (size >= smallest && size <= largest) return {};
+    return Error{ErrorCode::invalid_mesh,
+                 file.string() + ": is " + std::to_string(size) + " m along " + axis +
+                     ", its longest side; that of a garment that fits is 0.1 to 3 m. OBJ files are in "
+                     "metres here"};
 }
 
 Result<Mesh> read_mesh(const std::filesystem::path& file, Garment& garment) {

@@ -28,8 +28,13 @@ std::optional<Round> round_of(const Collider& collider) {
         return Round{sphere->center, sphere->radius};
     if (const auto* box = std::get_if<Box>(&collider.shape))
         return Round{box->center, std::max({box->half_extents.x, box->half_extents.y, box->half_extents.z})};
+    const auto middle_of = [](const auto& rod) {
+        return to_vec3(0.5f * (to_vector(rod.a) + to_vector(rod.b)));
+    };
     if (const auto* capsule = std::get_if<Capsule>(&collider.shape))
-        return Round{to_vec3(0.5f * (to_vector(capsule->a) + to_vector(capsule->b))), capsule->radius};
+        return Round{middle_of(*capsule), capsule->radius};
+    if (const auto* limb = std::get_if<TaperedCapsule>(&collider.shape))
+        return Round{middle_of(*limb), 0.5f * (limb->radius_a + limb->radius_b)};
     return std::nullopt;
 }
 

@@ -100,6 +100,22 @@ TEST(DebugDraw, CollidersAreLinesOnTheirSurfaces) {
     }
 }
 
+TEST(DebugDraw, PlanesReachUnderAllCloths) {
+    World world = World::create().value();
+    for (const float x : {-20.0f, 30.0f}) {
+        const ClothId cloth = add_sheet(world);
+        ASSERT_TRUE(world.move_cloth(cloth, {.translation = {x, 0, 0}}));
+    }
+    ASSERT_TRUE(world.add_collider({.shape = Plane{{0, 1, 0}, 0}}));
+    float least = 0, most = 0;
+    for (const Line& line : Drawing::of(world, DebugParts::colliders).lines) {
+        least = std::min({least, line.from.x, line.to.x});
+        most = std::max({most, line.from.x, line.to.x});
+    }
+    EXPECT_LT(least, -20);
+    EXPECT_GT(most, 30);
+}
+
 TEST(DebugDraw, HeldShapesAreWhereTheirInstancesAre) {
     World world = World::create().value();
     const std::array<Vec3, 4> vertices{{{0, 0, 0}, {0.2f, 0, 0}, {0, 0.2f, 0}, {0, 0, 0.2f}}};

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloth/store/save_format.h"
@@ -181,6 +182,8 @@ TEST(ForgedSave, SaysWhatIsWrong) {
     OneCloth budgeted(1000);
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail, 5u),
                             "its rung is 5; it must be from 0 to 2");
+    budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail + offsetof(DetailState, phase), 2u),
+                            "its long steps begin at 2; it must be below 2");
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail + 4, 0u), "its step is 0 long");
     budgeted.expect_refused(changed_in(budgeted.good, OneCloth::detail + 8, 2u), "of which 2 are left");
     // A place to move on to counts only where a long step goes on.
@@ -191,6 +194,43 @@ TEST(ForgedSave, SaysWhatIsWrong) {
         changed_in(changed_in(nowhere, OneCloth::detail + 4, 2u), OneCloth::detail + 8, 2u),
         "where it is to move on to is no place");
     EXPECT_TRUE(budgeted.world.restore(budgeted.good));
+}
+
+// A cloth's rest, or its memory of tangles, is the last of a save.
+TEST(ForgedSave, RestAndTanglesThatNoStepLeavesAreRefused) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto saved_with = [](World& world, const ClothSettings& settings) {
+        EXPECT_TRUE(world.add_cloth(make_sheet({.rows = 3, .columns = 3}).value(), settings));
+        world.step(frame_time);
+        return bytes_of(world);
+    };
+    ClothSettings settings;
+    settings.sleep_speed = 0.01f;
+    World calm = World::create({.threads = 1}).value();
+    const Bytes rests = saved_with(calm, settings);
+    const std::size_t rest = rests.size() - sizeof(Rest);
+    for (const float still_for : {nan, -1.0f})
+        EXPECT_FALSE(calm.restore(changed_in(rests, rest + offsetof(Rest, still_for), still_for)));
+    EXPECT_FALSE(calm.restore(changed_in(rests, rest + offsetof(Rest, asleep), 2u)));
+    EXPECT_TRUE(calm.restore(changed_in(rests, rest + offsetof(Rest, asleep), 1u)));
+
+    World world = World::create({.threads = 1}).value();
+    const Bytes good = saved_with(world, {.self_collision = {.enabled = true}});
+    const std::size_t halved = good.size() - 4, may_cross = halved - 4,
+                      tangles = may_cross - 9 * sizeof(TangleMemory);
+    EXPECT_TRUE(world.restore(changed_in(good, halved, ClothState::most_halved)));
+    EXPECT_FALSE(world.restore(changed_in(good, halved, ClothState::most_halved + 1)));
+    EXPECT_FALSE(world.restore(changed_in(good, may_cross, 2u)));
+    EXPECT_FALSE(world.restore(changed_in(good, tangles + offsetof(TangleMemory, steps), 1'000'000u)));
+    EXPECT_FALSE(world.restore(changed_in(good, tangles + offsetof(TangleMemory, votes), 2u)));
+    for (const float stalled : {nan, -1.0f})
+        EXPECT_FALSE(world.restore(changed_in(good, tangles + offsetof(TangleMemory, stalled), stalled)));
+    EXPECT_TRUE(world.restore(good));
+}
+
+// If this fails, raise save_version, and write both numbers here.
+TEST(ForgedSave, AnotherLayoutHasAnotherVersion) {
+    EXPECT_EQ(std::pair(save_version, FullWorld().world.save_size()), std::pair(9u, std::size_t{7586}));
 }
 
 /// Places at which two saves of one World differ.

@@ -3,13 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <random>
+#include <span>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
+#include "cloth/settings/fields.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 
@@ -30,6 +35,12 @@ struct Knob {
     std::function<float&(Settings&)> of;
 };
 
+AirSource& jet(Settings& settings) {
+    AirSource& source = settings.world.wind.sources[0];
+    source.kind = AirSourceKind::jet;
+    return source;
+}
+
 std::vector<Knob> knobs() {
     using S = Settings;
     return {
@@ -42,6 +53,11 @@ std::vector<Knob> knobs() {
         {"Fabric::damping", 0, 100, [](S& s) -> float& { return s.cloth.fabric.damping; }},
         // Of the default's stiffness; only what stretches honours it.
         {"Fabric::stiffening", 0, 1000, [](S& s) -> float& { return s.cloth.fabric.stiffening; }},
+        {"Multilevel::tolerance", 0, 1e9f,
+         [](S& s) -> float& {
+             if (!std::holds_alternative<Multilevel>(s.cloth.method)) s.cloth.method = Multilevel{};
+             return std::get<Multilevel>(s.cloth.method).tolerance;
+         }},
         {"FiniteElements::poisson", 0, 0.49f, [](S& s) -> float& { return s.cloth.finite_elements.poisson; }},
         {"Tethers::slack", 1, 1e3f, [](S& s) -> float& { return s.cloth.tethers.slack; }},
         {"SelfCollision::distance", 1e-6f, 10,
@@ -55,6 +71,13 @@ std::vector<Knob> knobs() {
         {"ClothSettings::air_damping", 0, 1e6f, [](S& s) -> float& { return s.cloth.air_damping; }},
         {"ClothSettings::thickness", 0, 10, [](S& s) -> float& { return s.cloth.thickness; }},
         {"ClothSettings::friction", 0, 1e3f, [](S& s) -> float& { return s.cloth.friction; }},
+        {"ClothSettings::restitution", 0, 1, [](S& s) -> float& { return s.cloth.restitution; }},
+        {"ClothSettings::sleep_speed", 0, 1e3f, [](S& s) -> float& { return s.cloth.sleep_speed; }},
+        {"FrameInertia::linear", 0, 1, [](S& s) -> float& { return s.cloth.frame_inertia.linear; }},
+        {"FrameInertia::angular", 0, 1, [](S& s) -> float& { return s.cloth.frame_inertia.angular; }},
+        {"FrameInertia::centrifugal", 0, 1, [](S& s) -> float& { return s.cloth.frame_inertia.centrifugal; }},
+        {"ClothSettings::priority", 0, 1e6f, [](S& s) -> float& { return s.cloth.priority; }},
+        {"ClothSettings::view_distance", 0, 1e6f, [](S& s) -> float& { return s.cloth.view_distance; }},
         {"WorldSettings::gravity", -1e4f, 1e4f, [](S& s) -> float& { return s.world.gravity.y; }},
         {"Wind::velocity", -1e3f, 1e3f, [](S& s) -> float& { return s.world.wind.velocity.z; }},
         {"Wind::gust", 0, 100, [](S& s) -> float& { return s.world.wind.gust; }},
@@ -62,8 +85,44 @@ std::vector<Knob> knobs() {
         {"Wind::air_density", 0, 1e4f, [](S& s) -> float& { return s.world.wind.air_density; }},
         {"Wind::drag", 0, 1e3f, [](S& s) -> float& { return s.world.wind.drag; }},
         {"Wind::lift", 0, 1e3f, [](S& s) -> float& { return s.world.wind.lift; }},
+        {"AirSource::position", -1e5f, 1e5f, [](S& s) -> float& { return jet(s).position.x; }},
+        {"AirSource::velocity", -1e3f, 1e3f, [](S& s) -> float& { return jet(s).velocity.y; }},
+        {"AirSource::radius", 1e-3f, 1e5f, [](S& s) -> float& { return jet(s).radius; }},
         {"WorldSettings::max_speed", 1e-3f, 1e4f, [](S& s) -> float& { return s.world.max_speed; }},
+        {"WorldSettings::budget", 0, 1e3f, [](S& s) -> float& { return s.world.budget; }},
     };
+}
+
+/// Calls visit(name, components) for each float of settings, and for each vector.
+template <class Fields, class Visit>
+void for_each_number(Fields& of, const Visit& visit) {
+    for_each_field(of, [&]<class T>(const char* name, T& value) {
+        if constexpr (std::is_same_v<T, float>)
+            visit(name, std::span(&value, 1));
+        else if constexpr (std::is_same_v<T, Vec3>)
+            visit(name, std::span(&value.x, 3));
+        else if constexpr (std::is_same_v<T, Method>)
+            std::visit([&](auto& method) { for_each_number(method, visit); }, value);
+        else if constexpr (HasFields<T>)
+            for_each_number(value, visit);
+        else if constexpr (std::ranges::range<T>)
+            for_each_number(value[0], visit);
+        else
+            static_assert(std::is_integral_v<T> || std::is_enum_v<T>, "a kind of setting to visit");
+    });
+}
+
+TEST(SettingRanges, EveryNumberHasAKnob) {
+    Settings settings;
+    std::vector<const float*> turned;
+    for (const Knob& knob : knobs()) turned.push_back(&knob.of(settings));
+    const auto is_turned = [&](const char* name, std::span<float> components) {
+        EXPECT_TRUE(std::ranges::any_of(components, [&](const float& component) {
+            return std::ranges::find(turned, &component) != turned.end();
+        })) << name;
+    };
+    for_each_number(settings.world, is_turned);
+    for_each_number(settings.cloth, is_turned);
 }
 
 struct ChosenMethod {

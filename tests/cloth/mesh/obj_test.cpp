@@ -257,6 +257,14 @@ TEST_F(ObjFile, ErrorsNameFileLineAndValue) {
     expect_error(std::string("v 0 0 \0 0\n", 10), {"cloth.obj:1:"});
 }
 
+TEST_F(ObjFile, OnlyAWholeByteOrderMarkIsLeftOut) {
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(test::must(load("\xEF\xBB\xBF# of an editor\n" + triangle)).positions.size(), 3u);
+    // Any other first line is read whole: here the triangle lacks the vertex of a line with another word.
+    EXPECT_FALSE(load("\xEF\xBC\xA1" + triangle));
+    EXPECT_FALSE(load("\xEF\xBB" + triangle));
+}
+
 TEST_F(ObjFile, AForwardIndexThatLeadsNowhereIsNamedByItsLine) {
     expect_error("f 1 2 3\nf 2 3 4\nf 1 3 6\nf 1 3 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n",
                  {"cloth.obj:3:", "vertex index 6", "has 4"});
@@ -271,8 +279,10 @@ TEST_F(ObjFile, ExponentsThatLeaveAnIntermediateRangeAreRead) {
 }
 
 TEST_F(ObjFile, AFaceOfManyCornersIsClothWithoutACrowdedVertex) {
-    // As a fan its first vertex would have a spring to each of the others.
-    constexpr std::size_t corners = 10'000;
+    // As a fan its first vertex would have a spring to each of the others, and more triangles than the 1024
+    // that are taken. Cooking takes longer by more than the number of corners: each is an edge away from
+    // far ones, which makes coarse levels dense.
+    constexpr std::size_t corners = 1500;
     std::string text, face = "f";
     for (std::size_t i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * static_cast<double>(i) / corners;
@@ -287,7 +297,7 @@ TEST_F(ObjFile, AFaceOfManyCornersIsClothWithoutACrowdedVertex) {
     std::vector<int> triangles_at(corners);
     for (const Triangle& triangle : mesh.triangles)
         for (const std::uint32_t vertex : triangle) ++triangles_at[vertex];
-    EXPECT_LE(std::ranges::max(triangles_at), 2 * 14) << "two for each halving";
+    EXPECT_LE(std::ranges::max(triangles_at), 2 * 11) << "two for each halving";
 
     World world = test::must(World::create({.threads = 1}));
     const ClothId id = test::must(world.add_cloth(mesh));

@@ -97,6 +97,10 @@ TEST(GarmentFile, ErrorsNameWhatIsWrong) {
               std::string::npos);
     EXPECT_NE(refusal_of("v 0 0 0\nv 100 0 0\nv 0 1 0\nusemtl aFree\nf 1 2 3\n").find("100.000000 m along x"),
               std::string::npos);
+    EXPECT_NE(refusal_of("v 0 0 0\nv 0.05 0 0\nv 0 0.02 0\nusemtl aFree\nf 1 2 3\n")
+                  .find("0.050000 m along x, its longest side"),
+              std::string::npos);
+    EXPECT_EQ(refusal_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl aFree\nf 1 2 3\n"), "") << "flat in z";
     EXPECT_NE(refusal_of("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n").find(":2:"), std::string::npos);
     const auto missing = read_garment("no/such.obj");
     ASSERT_FALSE(missing.ok());

@@ -142,6 +142,24 @@ TEST(HandAir, FanBlastAndWakesAreInTheWindAndGoAgain) {
     EXPECT_EQ(kinds(AirSourceKind::none), static_cast<std::ptrdiff_t>(sources.size()));
 }
 
+TEST(HandAir, ATaperedLimbLeavesAWake) {
+    World world = World::create(SmallWorld::one_thread()).value();
+    const auto limb = [](float x) {
+        return Collider{.shape = TaperedCapsule{{x, 1, 0}, {x, 2, 0}, 0.3f, 0.1f}};
+    };
+    const ColliderId moving[] = {*world.add_collider(limb(0))};
+    HandAir air;
+    air.before_step(world, moving, {}, tick);
+    ASSERT_TRUE(world.move_collider(moving[0], limb(2 * tick)));
+    world.step(tick);
+    air.before_step(world, moving, {}, tick);
+    const AirSource& wake = world.settings().wind.sources[0];
+    EXPECT_EQ(wake.kind, AirSourceKind::wake);
+    EXPECT_NEAR(wake.velocity.x, 2, 1e-3f);
+    EXPECT_NEAR(wake.position.y, 1.5f, 1e-5f);
+    EXPECT_NEAR(wake.radius, 0.2f, 1e-5f);
+}
+
 TEST(HandAir, WhatIsForgottenBlowsNoMore) {
     World world = World::create(SmallWorld::one_thread()).value();
     HandAir air;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
@@ -22,8 +24,8 @@ namespace weft::demo {
 namespace {
 
 /// A machine that takes so long at best, and by the ladder's costs below.
-void draw_pictures(QualityChoice& choice, float at_best, int pictures) {
-    for (int i = 0; i < pictures; ++i) choice.add(at_best * choice.now().cost);
+void draw_pictures(QualityChoice& choice, float at_best, int pictures, int pixels = 1280 * 800) {
+    for (int i = 0; i < pictures; ++i) choice.add(at_best * choice.now().cost, pixels);
 }
 
 TEST(QualityChoice, StaysAtTheBestWhereThereIsTime) {
@@ -48,12 +50,11 @@ TEST(QualityChoice, GoesDownUntilDrawingLeavesTime) {
     }
 }
 
-TEST(QualityChoice, ComesBackWhenTheMachineIsFree) {
+TEST(QualityChoice, ComesBackWhenTheWindowIsSmaller) {
     QualityChoice choice;
     draw_pictures(choice, 500, 300);
     EXPECT_EQ(choice.level() + 1, static_cast<int>(quality_levels().size()));
-    choice.forget();
-    draw_pictures(choice, 5, 300);
+    draw_pictures(choice, 5, 300, 640 * 400);
     EXPECT_EQ(choice.level(), 0);
 }
 
@@ -304,6 +305,12 @@ TEST(Recorder, LeavesPicturesByNumber) {
     EXPECT_FALSE(recorder.recording());
     EXPECT_TRUE(std::filesystem::exists(folder / "weft-film-0001" / "picture_000003.png"));
     EXPECT_EQ(std::filesystem::exists(folder / "weft-film-0001.mp4"), program_is_there("ffmpeg"));
+    for (int i = 3; i < 10'000; ++i) {
+        std::array<char, 16> name{};
+        std::snprintf(name.data(), name.size(), "weft-%04d.png", i);
+        std::ofstream(folder / name.data());
+    }
+    EXPECT_EQ(*recorder.save(image), folder / "weft-10000.png") << "no picture is overwritten";
     EXPECT_FALSE(Recorder("/proc/nowhere").start().ok());
     EXPECT_FALSE(Recorder("/proc/nowhere").save(image).ok());
     std::filesystem::remove_all(folder);
