@@ -189,6 +189,8 @@ struct Cloth {
     void prepare_restore(std::span<const Pin> pins);
     /// Updates what follows from the state, after it was overwritten.
     void commit_restore();
+    /// Erases what contact with colliders, bodies and cloth has left in the state.
+    void erase_contact_memory() noexcept;
     /// Returns the cloth to the start of the step, at rest.
     void restore_start_of_step();
 

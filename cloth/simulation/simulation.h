@@ -87,6 +87,8 @@ struct Simulation {
                                                                      StillPins pins);
     /// Teleports a cloth by that motion, then each held particle to its place.
     void go_to_holds(Cloth& cloth, const RigidMotion& by, StillPins pins);
+    /// Puts a cloth at rest into a pose given by the mesh's vertices. Precondition: it is within reach.
+    void reset(Cloth& cloth, std::span<const Vec3> positions);
     void shift_origin(const Vec3& to);
     /// Frees the memory that cloths share, if the last one was removed.
     void cloth_has_gone() noexcept;

@@ -140,6 +140,8 @@ WEFT_API WeftResult weft_world_move_pins(WeftWorld* world, WeftClothId id, const
 WEFT_API WeftResult weft_world_unpin(WeftWorld* world, WeftClothId id, const uint32_t* vertices,
                                      size_t count);
 WEFT_API WeftResult weft_world_move_cloth(WeftWorld* world, WeftClothId id, const WeftTransform* by);
+// positions: three floats for each vertex.
+WEFT_API WeftResult weft_world_reset_cloth(WeftWorld* world, WeftClothId id, WeftInput positions);
 WEFT_API WeftResult weft_world_set_frame(WeftWorld* world, WeftClothId id, const WeftTransform* pose);
 WEFT_API WeftResult weft_world_leave_frame(WeftWorld* world, WeftClothId id);
 // map: WEFT_MAP_...; values are floats, or none.

@@ -145,6 +145,15 @@ class WEFT_API World {
     /// is none, or a vertex would be out of the 100 km around the origin.
     Result<void> move_cloth(ClothId id, const Transform& by);
 
+    /// Puts the cloth into a pose, at rest: for a respawn or a camera's cut. `positions` are of the mesh's
+    /// vertices [m], such as a skinned mesh's; of welded vertices the last counts. Velocities are 0, nothing
+    /// is remembered of motion and contact, and a blend shows no path. Pins go where their vertices are put;
+    /// attached vertices go to their bodies. Skin and frame are at once where the host last set them, so set
+    /// them before, and place colliders. Cloth that crosses in this pose is separated, and cloth inside a
+    /// collider comes out at a limited speed. Takes no memory. Errors: another count than the mesh's
+    /// vertices; a vertex that is not finite, or beyond 100 km.
+    Result<void> reset_cloth(ClothId id, std::span<const Vec3> positions);
+
     /// Sets a moving frame of reference for cloth on a character or a vehicle. The first call places the
     /// frame and moves nothing; each later one moves it over the next step. In a step without a call it
     /// stands still. ClothSettings::frame_inertia says how much of the frame's acceleration acts on the

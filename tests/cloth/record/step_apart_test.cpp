@@ -161,6 +161,7 @@ TEST(StepApart, RefusesByNameWhatWouldChangeIt) {
         {"unpin", [&] { return world.unpin(cloth, 0); }},
         {"move_pins", [&] { return world.move_pin(cloth, 0, {}); }},
         {"move_cloth", [&] { return world.move_cloth(cloth, {}); }},
+        {"reset_cloth", [&] { return world.reset_cloth(cloth, {}); }},
         {"set_frame", [&] { return world.set_frame(cloth, {}); }},
         {"leave_frame", [&] { return world.leave_frame(cloth); }},
         {"set_map", [&] { return world.set_map(cloth, Map::mass, {}); }},

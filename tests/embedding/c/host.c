@@ -272,6 +272,8 @@ static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
         skin[i].y = 1;
         skin[i].z = 0.1f * (float)(i / side);
     }
+    TAKES(weft_world_reset_cloth(world, other, places));
+    REFUSES(WEFT_INVALID_ARGUMENT, "0 positions", weft_world_reset_cloth(world, other, nothing));
     TAKES(weft_world_set_map(world, cloth, WEFT_MAP_FRICTION, values));
     REFUSES(WEFT_INVALID_ARGUMENT, "map", weft_world_set_map(world, cloth, 77, values));
     TAKES(weft_world_set_map(world, other, WEFT_MAP_LEASH, values));
