@@ -284,7 +284,11 @@ struct Cloth {
 
     /// Transport by its frame before the present step; none without a frame, or at full inertia.
     std::optional<Carried> carried;
+    /// Its teleport by its frame before the present step.
+    std::optional<RigidMotion> jumped;
     std::vector<ColliderMotion> seen_colliders;  ///< colliders' motions relative to the transported cloth
+    /// Whether seen_colliders are its colliders in the present step.
+    [[nodiscard]] bool sees_own_colliders() const noexcept { return carried || jumped; }
 
     // Results of the present step, kept for the report.
     bool solver_failed = false;           ///< in one of its substeps

@@ -134,6 +134,8 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("frame_inertia", a.frame_inertia, b.frame_inertia);
     way("priority", a.priority, b.priority);
     way("view_distance", a.view_distance, b.view_distance);
+    way("teleport_distance", a.teleport_distance, b.teleport_distance);
+    way("teleport_angle", a.teleport_angle, b.teleport_angle);
 }
 
 template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>

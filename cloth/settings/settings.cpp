@@ -227,6 +227,8 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("FrameInertia::angular", settings.frame_inertia.angular, 0, 1);
     checks.between("FrameInertia::centrifugal", settings.frame_inertia.centrifugal, 0, 1);
     check_importance(checks, settings.priority, settings.view_distance);
+    checks.between("ClothSettings::teleport_distance", settings.teleport_distance, 0, 1e6f);
+    checks.between("ClothSettings::teleport_angle", settings.teleport_angle, 0, 3.2f);
     return checks.result();
 }
 

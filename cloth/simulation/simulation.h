@@ -81,6 +81,8 @@ struct Simulation {
     void set_frame(Cloth& cloth, const Transform& pose);
     /// Teleports a cloth. Precondition: it stays within reach.
     void move(Cloth& cloth, const RigidMotion& by);
+    /// Updates what follows from a cloth's positions, after a teleport.
+    void has_been_moved(Cloth& cloth);
     /// The rigid motion that brings a cloth to what holds it: pins, bodies, and the skin that limits are
     /// measured from. None if it is there already. Error: a vertex would be out of reach.
     [[nodiscard]] Result<std::optional<RigidMotion>> motion_to_holds(Cloth& cloth, const SkinState& skin,

@@ -91,7 +91,7 @@ struct SetEnds {
 SetEnds order_by_sets(const Simulation& world, Group& group, std::span<Cloth* const> cloths, float h) {
     // Bodies move the colliders of one list, and a transported cloth has a list of its own.
     const auto is_alone = [&](const Cloth& cloth) {
-        return !can_join(cloth) || (world.body_stage && cloth.carried);
+        return !can_join(cloth) || (world.body_stage && cloth.sees_own_colliders());
     };
     std::size_t end = 0;
     const auto add = [&](const auto& is_wanted) {

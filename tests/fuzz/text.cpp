@@ -130,7 +130,9 @@ std::string text_of(const ClothSettings& s) {
                                     text_of(s.enabled),
                                     text_of(s.sleep_speed),
                                     text_of(s.priority),
-                                    text_of(s.view_distance)});
+                                    text_of(s.view_distance),
+                                    text_of(s.teleport_distance),
+                                    text_of(s.teleport_angle)});
 }
 
 static std::string text_of(const AirSource& a) {

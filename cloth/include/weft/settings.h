@@ -119,6 +119,12 @@ struct ClothSettings {
     /// enough for all. 0: out of sight; the cloth gets the least time. See World::set_importance.
     float priority = 1;
     float view_distance = 1;  ///< distance from the viewer [m], 0 to 1e6; below 0.1 it counts as 0.1
+    /// A frame that moves farther than this in one step teleports its cloth [m], 0 to 1e6; see
+    /// World::set_frame. Set it above what the frame ever moves in a step. 0: it never does.
+    float teleport_distance = 0;
+    /// A frame that turns by more than this in one step teleports its cloth [rad], 0 to 3.2. From pi on, and
+    /// with 0, it never does.
+    float teleport_angle = 0;
 };
 
 /// Kinds of air sources.

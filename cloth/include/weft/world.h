@@ -165,8 +165,11 @@ class WEFT_API World {
     /// Pins go where the host moves them. Colliders move relative to the cloth as they do to the frame, so
     /// that a body that moves with it neither rubs nor pushes. Cloths that touch need the same frame and
     /// inertia: otherwise one is transported across the other, and has to be separated. A turn in one step is
-    /// the shorter way round; a jump needs move_cloth. Errors: a rotation that is none, a place beyond 100
-    /// km.
+    /// the shorter way round. A jump needs move_cloth, or ClothSettings::teleport_distance and
+    /// teleport_angle: then a frame that moves or turns farther in one step takes its cloth along, as
+    /// move_cloth does, and a skin that the host has not set for this step. Each pin and collider is taken
+    /// along too, or stays, whichever makes its way in the step shorter. Errors: a rotation that is none, a
+    /// place beyond 100 km.
     Result<void> set_frame(ClothId id, const Transform& pose);
     /// Removes the frame, as before the first set_frame().
     Result<void> leave_frame(ClothId id);

@@ -40,9 +40,9 @@ constexpr int lines_of() {
     static_assert(lines_of<FrameInertia>() == 3);
     [[maybe_unused]] auto& [e1, e2, e3, e4, e5, e6, e7, e8] = e;
     static_assert(lines_of<SelfCollision>() == 8);
-    [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18] =
-        f;
-    static_assert(lines_of<ClothSettings>() == 18);
+    [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18,
+                            f19, f20] = f;
+    static_assert(lines_of<ClothSettings>() == 20);
     [[maybe_unused]] auto& [g1, g2, g3, g4] = g;
     static_assert(lines_of<AirSource>() == 4);
     [[maybe_unused]] auto& [h1, h2, h3, h4, h5, h6, h7, h8] = h;

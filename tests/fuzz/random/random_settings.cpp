@@ -106,7 +106,9 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.frame_inertia.centrifugal,
                              &s.sleep_speed,
                              &s.priority,
-                             &s.view_distance};
+                             &s.view_distance,
+                             &s.teleport_distance,
+                             &s.teleport_angle};
     const std::uint32_t choice = random.below(std::size(fields) + 4);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
@@ -324,6 +326,7 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     s.enabled = !random.chance(0.05);
     s.priority = random.one_of({0.0f, 1.0f, 1e6f});
     s.view_distance = fields.zero_or_more(1e-3f, 1000);
+    // No teleports by frames: they take pins along, and a script expects pins where it has moved them.
     if (random.chance(0.3)) s.collider_mask = random.below(4);
     if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
     if (drawn.answer == Answer::refused) spoil(random, s);

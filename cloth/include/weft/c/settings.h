@@ -93,6 +93,7 @@ typedef struct WeftClothSettings {
     float sleep_speed;
     WeftFrameInertia frame_inertia;
     float priority, view_distance;
+    float teleport_distance, teleport_angle;
 } WeftClothSettings;
 
 // weft/settings.h: AirSource
