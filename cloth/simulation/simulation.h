@@ -133,6 +133,10 @@ struct Simulation {
     void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
     [[nodiscard]] bool reports_contacts() const { return settings.contact_reports > 0; }
+    /// Gravity as it acts on a cloth [m/s^2].
+    [[nodiscard]] Vector3 gravity_on(const Cloth& cloth) const {
+        return cloth.settings.gravity_scale * to_vector(settings.gravity);
+    }
     [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
     static void update_normals(Parallel& loops, Cloth& cloth);

@@ -136,7 +136,7 @@ void find_disturbed(Simulation& world, float dt) {
 void sleep_and_wake(Simulation& world, float dt) {
     world.boxes.clear();
     for (const Cloth* cloth : world.present)
-        world.boxes.push_back(reach_of(*cloth, to_vector(world.settings.gravity), dt));
+        world.boxes.push_back(reach_of(*cloth, world.gravity_on(*cloth), dt));
     world.group_finder.find(world.boxes, [&](std::uint32_t i, std::uint32_t j) {
         return may_meet(*world.present[i], *world.present[j]);
     });

@@ -122,7 +122,7 @@ StepEquation equation_of(Simulation& world, Worker& worker, Cloth& cloth, float 
             .velocities = now.velocities.span(),
             .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
             .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
-            .external = {.gravity = to_vector(world.settings.gravity),
+            .external = {.gravity = world.gravity_on(cloth),
                          .air_damping = cloth.settings.air_damping,
                          .air = std::as_const(cloth.air.forces).span()},
             .contacts = cloth.contacts ? &*cloth.contacts : nullptr,

@@ -252,6 +252,11 @@ Result<void> World::shift_origin(const Vec3& to) {
             if (valid && source.kind != AirSourceKind::none)
                 valid = validate_point("AirSource::position", to_vec3(there));
         }
+        for (const AirShelter& shelter : simulation.settings.wind.shelters) {
+            const Vector3 there = to_vector(shelter.position) - to_vector(to);
+            if (valid && shelter.kind != AirShelterKind::none)
+                valid = validate_point("AirShelter::position", to_vec3(there));
+        }
         if (!valid) return valid;
         simulation.parallel.lend([&] { simulation.shift_origin(to); });
         return {};

@@ -132,7 +132,9 @@ std::string text_of(const ClothSettings& s) {
                                     text_of(s.priority),
                                     text_of(s.view_distance),
                                     text_of(s.teleport_distance),
-                                    text_of(s.teleport_angle)});
+                                    text_of(s.teleport_angle),
+                                    text_of(s.gravity_scale),
+                                    text_of(s.wind_scale)});
 }
 
 static std::string text_of(const AirSource& a) {
@@ -145,10 +147,21 @@ static std::string text_of(const std::array<AirSource, 8>& sources) {
         if (each.kind != AirSourceKind::none) text += text_of(each);
     return '{' + text + '}';
 }
+static std::string text_of(const AirShelter& a) {
+    return braced("AirShelter",
+                  {text_of(a.kind), text_of(a.position), text_of(a.rotation), text_of(a.half_extents),
+                   text_of(a.radius), text_of(a.border), text_of(a.exposure)});
+}
+static std::string text_of(const std::array<AirShelter, 8>& shelters) {
+    std::string text;
+    for (const AirShelter& each : shelters)
+        if (each.kind != AirShelterKind::none) text += text_of(each);
+    return '{' + text + '}';
+}
 static std::string text_of(const Wind& w) {
-    return braced("Wind",
-                  {text_of(w.velocity), text_of(w.gust), text_of(w.gust_length), text_of(w.air_density),
-                   text_of(w.drag), text_of(w.lift), text_of(w.seed), text_of(w.sources)});
+    return braced(
+        "Wind", {text_of(w.velocity), text_of(w.gust), text_of(w.gust_length), text_of(w.air_density),
+                 text_of(w.drag), text_of(w.lift), text_of(w.seed), text_of(w.sources), text_of(w.shelters)});
 }
 static std::string text_of(const Executor& e) {
     return braced("Executor", {text_of(e.run != nullptr), text_of(e.width)});

@@ -55,6 +55,8 @@ std::vector<Knob> knobs() {
         {"ClothSettings::air_damping", 0, 1e6f, [](S& s) -> float& { return s.cloth.air_damping; }},
         {"ClothSettings::thickness", 0, 10, [](S& s) -> float& { return s.cloth.thickness; }},
         {"ClothSettings::friction", 0, 1e3f, [](S& s) -> float& { return s.cloth.friction; }},
+        {"ClothSettings::gravity_scale", -10, 10, [](S& s) -> float& { return s.cloth.gravity_scale; }},
+        {"ClothSettings::wind_scale", 0, 10, [](S& s) -> float& { return s.cloth.wind_scale; }},
         {"ClothSettings::teleport_distance", 0, 1e6f,
          [](S& s) -> float& { return s.cloth.teleport_distance; }},
         {"ClothSettings::teleport_angle", 0, 3.2f, [](S& s) -> float& { return s.cloth.teleport_angle; }},

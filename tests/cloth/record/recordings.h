@@ -72,6 +72,7 @@ struct EveryCall {
         settings.threads = 1;
         settings.wind.velocity = {1, 0, 3};
         settings.wind.sources[1] = {AirSourceKind::jet, {0, 0.5f, -1}, {0, 0, 4}, 0.5f};
+        settings.wind.shelters[2] = {.kind = AirShelterKind::ball, .position = {0, 2, 0}};
         settings.contact_reports = 32;
         settings.budget = 1e-4f;  // less than there is
         EXPECT_TRUE(world.set_settings(settings));
