@@ -1,5 +1,6 @@
 // The air's part of a step.
 
+#include <optional>
 #include <utility>
 
 #include "cloth/air/air_sources.h"

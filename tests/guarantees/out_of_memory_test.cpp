@@ -495,6 +495,11 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
             return scene.world.set_frame(scene.cloth, {.rotation = {0, 0, 0, 3}}).ok();
         },
         [&] { return scene.world.reset_cloth(scene.cloth, {}).ok(); },
+        [&] { return scene.world.cast_ray({}, {}).ok(); },
+        [&] {
+            return scene.world.closest_point({1e9f, 0, 0}).ok();
+        },
+        [&] { return scene.world.triangles_in_ball({}, -1, {}).ok(); },
         [&] { return scene.world.set_map(scene.cloth, Map::leash, three).ok(); },
         [&] { return scene.world.set_skin(scene.cloth, {}, {}).ok(); },
         [&] {

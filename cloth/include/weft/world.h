@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -20,6 +22,7 @@
 #include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
+#include "weft/query.h"
 #include "weft/recording.h"
 #include "weft/report.h"
 #include "weft/settings.h"
@@ -68,6 +71,23 @@ class WEFT_API World {
     /// drifts besides cloth, such as leaves and smoke, and takes some 30 ns a point where there are gusts.
     /// Errors: not as many velocities as points; a point that is not finite or beyond 100 km.
     Result<void> sample_air(std::span<const Vec3> points, std::span<Vec3> velocities) const;
+
+    /// Finds the first place where a ray meets cloth, from either side, as cloth lies after the last call:
+    /// none, or a place within `reach` [m] of `from`. `direction` has any length. `only`: of this cloth
+    /// alone; null: of all that are enabled. This call and the next two take no memory, and look at every
+    /// triangle of cloth whose bounding box is in reach, some 10 ns each. Errors: `from` beyond 100 km, a
+    /// direction that is 0 or not finite, a reach that is not a number from 0, a stale id.
+    [[nodiscard]] Result<std::optional<ClothPoint>> cast_ray(
+        const Vec3& from, const Vec3& direction, float reach = std::numeric_limits<float>::infinity(),
+        ClothId only = {}) const;
+    /// Finds the place on cloth that is nearest to a point, within so many metres of it. Errors: as
+    /// cast_ray().
+    [[nodiscard]] Result<std::optional<ClothPoint>> closest_point(
+        const Vec3& to, float within = std::numeric_limits<float>::infinity(), ClothId only = {}) const;
+    /// Writes the triangles that a ball touches, by cloths and numbers, each by its place nearest to the
+    /// ball's middle, as many as there is room for. Returns how many there are. Errors: as cast_ray().
+    [[nodiscard]] Result<std::size_t> triangles_in_ball(const Vec3& center, float radius,
+                                                        std::span<ClothPoint> to, ClothId only = {}) const;
 
     /// Makes particles, springs and solver memory from the mesh, as CookedCloth::create() does, for this
     /// cloth alone; the mesh is not kept.

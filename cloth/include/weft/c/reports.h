@@ -32,6 +32,14 @@ typedef struct WeftVertexStreams {
     WeftStream texcoords;
 } WeftVertexStreams;
 
+// weft/query.h: ClothPoint
+typedef struct WeftClothPoint {
+    WeftClothId cloth;
+    uint32_t triangle;
+    WeftVec3 weights, position, normal;
+    float distance;
+} WeftClothPoint;
+
 // weft/cooked_cloth.h: ClothInfo
 typedef struct WeftClothInfo {
     uint32_t struct_size;
