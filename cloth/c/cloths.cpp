@@ -125,7 +125,8 @@ WeftResult weft_world_write_vertices(const WeftWorld* world, WeftClothId id, con
                                   .normals = stream_of(streams->normals),
                                   .previous_normals = stream_of(streams->previous_normals),
                                   .tangents = stream_of(streams->tangents),
-                                  .texcoords = stream_of(streams->texcoords)},
+                                  .texcoords = stream_of(streams->texcoords),
+                                  .strains = stream_of(streams->strains)},
                                  first, count);
     });
 }

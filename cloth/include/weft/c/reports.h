@@ -30,6 +30,7 @@ typedef struct WeftVertexStreams {
     WeftStream normals, previous_normals;
     WeftStream tangents;
     WeftStream texcoords;
+    WeftStream strains;
 } WeftVertexStreams;
 
 // weft/query.h: ClothPoint
