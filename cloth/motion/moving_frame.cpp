@@ -71,6 +71,7 @@ void move_past(const RigidMotion& by, const BlockRange& range, ClothState& state
 }  // namespace
 
 std::optional<RigidMotion> jump_of(const FrameState& frame, float distance, float angle, float dt) {
+    if (!(distance > 0) && !(angle > 0)) return std::nullopt;
     const Eigen::Vector3d from = wide(frame.pose.translation), to = wide(frame.target.translation);
     const Eigen::Quaterniond turn =
         unit_quaternion(frame.target.rotation) * unit_quaternion(frame.pose.rotation).conjugate();

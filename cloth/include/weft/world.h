@@ -75,7 +75,7 @@ class WEFT_API World {
     /// Finds the first place where a ray meets cloth, from either side, as cloth lies after the last call:
     /// none, or a place within `reach` [m] of `from`. `direction` has any length. `only`: of this cloth
     /// alone; null: of all that are enabled. This call and the next two take no memory, and look at every
-    /// triangle of cloth whose bounding box is in reach, some 10 ns each. Errors: `from` beyond 100 km, a
+    /// triangle of cloth whose bounding box is in reach, 10 to 20 ns each. Errors: `from` beyond 100 km, a
     /// direction that is 0 or not finite, a reach that is not a number from 0, a stale id.
     [[nodiscard]] Result<std::optional<ClothPoint>> cast_ray(
         const Vec3& from, const Vec3& direction, float reach = std::numeric_limits<float>::infinity(),
@@ -134,12 +134,12 @@ class WEFT_API World {
     /// the cloth.
     [[nodiscard]] Result<const ClothView&> cloth(ClothId id) const;
     /// Writes vertices [first, first + count), as far as they exist, by the mesh's own numbers, into the
-    /// host's streams. It allocates nothing. Tangents and previous normals are computed from the triangles
-    /// round each vertex and take many times as long as the rest, which is copied: `weft_bench --calls`.
-    /// Calls may run side by side, and beside work(): threads may divide the vertices, and draw the last
-    /// step's result from begin_step() to end_step(). Errors: a stream of less room than all vertices take,
-    /// or whose stride is less than a value; texture coordinates or tangents of a cloth whose mesh has no
-    /// texture coordinates.
+    /// host's streams. It allocates nothing. Tangents, strains and previous normals are computed from the
+    /// triangles round each vertex and take many times as long as the rest, which is copied: `weft_bench
+    /// --calls`. Calls may run side by side, and beside work(): threads may divide the vertices, and draw the
+    /// last step's result from begin_step() to end_step(). Errors: a stream of less room than all vertices
+    /// take, or whose stride is less than a value; texture coordinates or tangents of a cloth whose mesh has
+    /// no texture coordinates.
     Result<void> write_vertices(ClothId id, const VertexStreams& to, std::size_t first = 0,
                                 std::size_t count = SIZE_MAX) const;
 
