@@ -125,7 +125,8 @@ WeftResult weft_world_write_vertices(const WeftWorld* world, WeftClothId id, con
                                   .normals = stream_of(streams->normals),
                                   .previous_normals = stream_of(streams->previous_normals),
                                   .tangents = stream_of(streams->tangents),
-                                  .texcoords = stream_of(streams->texcoords)},
+                                  .texcoords = stream_of(streams->texcoords),
+                                  .strains = stream_of(streams->strains)},
                                  first, count);
     });
 }
@@ -167,6 +168,13 @@ WeftResult weft_world_detach(WeftWorld* world, WeftClothId cloth, const uint32_t
 
 WeftResult weft_world_move_cloth(WeftWorld* world, WeftClothId id, const WeftTransform* by) {
     return on(world, [&](weft::World& of) { return of.move_cloth(id_of(id), transform_of(by)); });
+}
+WeftResult weft_world_reset_cloth(WeftWorld* world, WeftClothId id, WeftInput positions) {
+    return on(world, [&](weft::World& of) -> weft::Result<void> {
+        const auto there = items("positions", positions, world->first);
+        if (!there) return there.error();
+        return of.reset_cloth(id_of(id), *there);
+    });
 }
 WeftResult weft_world_set_frame(WeftWorld* world, WeftClothId id, const WeftTransform* pose) {
     return on(world, [&](weft::World& of) { return of.set_frame(id_of(id), transform_of(pose)); });

@@ -28,6 +28,8 @@ struct StandsFor<WeftClothSettings> : std::type_identity<ClothSettings> {};
 template <>
 struct StandsFor<WeftAirSource> : std::type_identity<AirSource> {};
 template <>
+struct StandsFor<WeftAirShelter> : std::type_identity<AirShelter> {};
+template <>
 struct StandsFor<WeftWind> : std::type_identity<Wind> {};
 template <>
 struct StandsFor<WeftWorldSettings> : std::type_identity<WorldSettings> {};

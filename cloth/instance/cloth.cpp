@@ -457,16 +457,20 @@ void Cloth::commit_restore() {
     surface.forget();
 }
 
-void Cloth::restore_start_of_step() {
-    std::ranges::copy(state.previous_positions.span(), state.positions.data());
-    std::ranges::fill(state.velocities.span(), Vec4{});
+void Cloth::erase_contact_memory() noexcept {
     std::ranges::fill(state.held.normals.span(), Vec4{});
     std::ranges::fill(state.held.rubbed.span(), 0.0f);
     std::ranges::fill(state.held.loads.span(), 0.0f);
     std::ranges::fill(state.held.touching.span(), 0u);
-    state.record.h = 0;
     std::ranges::fill(state.shares, BodyShare{});
     state.may_cross = has_features() ? 1 : 0;
+}
+
+void Cloth::restore_start_of_step() {
+    std::ranges::copy(state.previous_positions.span(), state.positions.data());
+    std::ranges::fill(state.velocities.span(), Vec4{});
+    erase_contact_memory();
+    state.record.h = 0;
 }
 
 float Cloth::distance_of(const SelfCollision& self_collision) const {

@@ -206,6 +206,8 @@ struct Cloth {
     void prepare_restore(std::span<const Pin> pins);
     /// Updates what follows from the state, after it was overwritten.
     void commit_restore();
+    /// Erases what contact with colliders, bodies and cloth has left in the state.
+    void erase_contact_memory() noexcept;
     /// Returns the cloth to the start of the step, at rest.
     void restore_start_of_step();
 
@@ -299,7 +301,11 @@ struct Cloth {
 
     /// Transport by its frame before the present step; none without a frame, or at full inertia.
     std::optional<Carried> carried;
+    /// Its teleport by its frame before the present step.
+    std::optional<RigidMotion> jumped;
     std::vector<ColliderMotion> seen_colliders;  ///< colliders' motions relative to the transported cloth
+    /// Whether seen_colliders are its colliders in the present step.
+    [[nodiscard]] bool sees_own_colliders() const noexcept { return carried || jumped; }
 
     // Results of the present step, kept for the report.
     bool solver_failed = false;           ///< in one of its substeps

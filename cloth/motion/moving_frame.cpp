@@ -70,6 +70,37 @@ void move_past(const RigidMotion& by, const BlockRange& range, ClothState& state
 
 }  // namespace
 
+std::optional<RigidMotion> jump_of(const FrameState& frame, float distance, float angle, float dt) {
+    if (!(distance > 0) && !(angle > 0)) return std::nullopt;
+    const Eigen::Vector3d from = wide(frame.pose.translation), to = wide(frame.target.translation);
+    const Eigen::Quaterniond turn =
+        unit_quaternion(frame.target.rotation) * unit_quaternion(frame.pose.rotation).conjugate();
+    const bool is_far = distance > 0 && (to - from).norm() > static_cast<double>(distance);
+    const bool is_wide = angle > 0 && Eigen::AngleAxisd(turn).angle() > static_cast<double>(angle);
+    if (!is_far && !is_wide) return std::nullopt;
+    const Eigen::Vector3d goes_on = static_cast<double>(dt) * wide(frame.velocity);
+    const Eigen::Matrix3d rotation = turn.toRotationMatrix();
+    return RigidMotion{rotation, to - rotation * (from + goes_on)};
+}
+
+void jump(Parallel& parallel, const RigidMotion& by, ClothState& state) {
+    for (Pin& pin : state.pins) {
+        const Vector3 there = by.point(xyz(state.positions[pin.particle])), along = by.point(pin.target);
+        if ((along - there).squaredNorm() < (pin.target - there).squaredNorm()) pin.target = along;
+    }
+    SkinState& skin = state.skin;
+    const bool skin_goes_along = skin.is_still();
+    parallel.ranges(state.size(), [&](const BlockRange& range) {
+        move_present(by, range, state);
+        move_past(by, range, state);
+    });
+    if (skin_goes_along) skin.keep_still();
+    FrameState& frame = *state.frame;
+    frame.pose = {by.point(frame.pose.translation), frame.target.rotation};
+    frame.velocity = to_vec3(by.vector(to_vector(frame.velocity)));
+    frame.velocity_change = to_vec3(by.vector(to_vector(frame.velocity_change)));
+}
+
 std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& inertia, float dt) {
     const auto h = static_cast<double>(dt), s = static_cast<double>(inertia.linear),
                e = static_cast<double>(inertia.angular), c = static_cast<double>(inertia.centrifugal);

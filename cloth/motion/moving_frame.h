@@ -32,6 +32,15 @@ struct Carried {
     bool moves = false;                ///< false: there is the kick alone
 };
 
+/// The rigid motion of a frame that jumps: one whose way to its target is longer than `distance` [m], or
+/// whose turn is wider than `angle` [rad]; 0: no such limit. None if it does not jump. The motion leaves out
+/// what the frame would have gone on in dt seconds at its last speed, so that pins keep their speed.
+[[nodiscard]] std::optional<RigidMotion> jump_of(const FrameState& frame, float distance, float angle,
+                                                 float dt);
+/// Teleports a cloth with its frame before a step. The frame keeps its target. A pin's target goes along
+/// where that makes the pin's way shorter; the skin's goes along if the host has not set it for this step.
+void jump(Parallel& parallel, const RigidMotion& by, ClothState& state);
+
 /// The transport before a step of dt seconds; none if there is neither motion nor kick.
 [[nodiscard]] std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& inertia, float dt);
 /// Applies the transport to a cloth, before a step.

@@ -158,6 +158,9 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
         case Call::move_cloth:
             return with<ClothId, Transform>(
                 reader, [&](ClothId id, const Transform& by) { return world.move_cloth(id, by); });
+        case Call::reset_cloth:
+            return with<ClothId, Points>(reader,
+                                         [&](ClothId id, Points at) { return world.reset_cloth(id, at); });
         case Call::set_frame:
             return with<ClothId, Transform>(
                 reader, [&](ClothId id, const Transform& pose) { return world.set_frame(id, pose); });

@@ -131,6 +131,10 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("sleep_speed", a.sleep_speed, b.sleep_speed);
     way("frame_inertia", a.frame_inertia, b.frame_inertia);
     way("importance", a.importance, b.importance);
+    way("teleport_distance", a.teleport_distance, b.teleport_distance);
+    way("teleport_angle", a.teleport_angle, b.teleport_angle);
+    way("gravity_scale", a.gravity_scale, b.gravity_scale);
+    way("wind_scale", a.wind_scale, b.wind_scale);
 }
 
 template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>
@@ -139,6 +143,17 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("position", a.position, b.position);
     way("velocity", a.velocity, b.velocity);
     way("radius", a.radius, b.radius);
+}
+
+template <FieldsOf<AirShelter> A, FieldsOf<AirShelter> B, class Way>
+constexpr void for_both(A& a, B& b, const Way& way) {
+    way("kind", a.kind, b.kind);
+    way("position", a.position, b.position);
+    way("rotation", a.rotation, b.rotation);
+    way("half_extents", a.half_extents, b.half_extents);
+    way("radius", a.radius, b.radius);
+    way("border", a.border, b.border);
+    way("exposure", a.exposure, b.exposure);
 }
 
 template <FieldsOf<Wind> A, FieldsOf<Wind> B, class Way>
@@ -151,6 +166,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("lift", a.lift, b.lift);
     way("seed", a.seed, b.seed);
     way("sources", a.sources, b.sources);
+    way("shelters", a.shelters, b.shelters);
 }
 
 /// Leaves out the executor, which is the host's.

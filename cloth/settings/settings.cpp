@@ -179,6 +179,23 @@ void check(Checks& checks, const AirSource& source) {
     checks.between("AirSource::radius", source.radius, 1e-3f, 1e5f);
 }
 
+void check(Checks& checks, const AirShelter& shelter) {
+    checks.one_of("AirShelter::kind", shelter.kind,
+                  {"AirShelterKind::none", "AirShelterKind::ball", "AirShelterKind::box"});
+    if (shelter.kind == AirShelterKind::none) return;
+    checks.within("AirShelter::position", shelter.position, runaway_distance);
+    checks.between("AirShelter::border", shelter.border, 1e-3f, 1e5f);
+    checks.between("AirShelter::exposure", shelter.exposure, 0, 1);
+    if (shelter.kind == AirShelterKind::ball)
+        return checks.between("AirShelter::radius", shelter.radius, 1e-3f, 1e5f);
+    const Vec3& half = shelter.half_extents;
+    for (const float extent : {half.x, half.y, half.z})
+        checks.between("AirShelter::half_extents", extent, 1e-3f, 1e5f);
+    const Rotation& r = shelter.rotation;
+    checks.between("the length of AirShelter::rotation", Eigen::Vector4f(r.x, r.y, r.z, r.w).norm(), 0.999f,
+                   1.001f);
+}
+
 void check(Checks& checks, const Wind& wind) {
     checks.within("Wind::velocity", wind.velocity, 1e3f);
     checks.between("Wind::gust", wind.gust, 0, 100);
@@ -187,6 +204,7 @@ void check(Checks& checks, const Wind& wind) {
     checks.between("Wind::drag", wind.drag, 0, 1e3f);
     checks.between("Wind::lift", wind.lift, 0, 1e3f);
     for (const AirSource& source : wind.sources) check(checks, source);
+    for (const AirShelter& shelter : wind.shelters) check(checks, shelter);
 }
 
 }  // namespace
@@ -226,6 +244,10 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("FrameInertia::angular", settings.frame_inertia.angular, 0, 1);
     checks.between("FrameInertia::centrifugal", settings.frame_inertia.centrifugal, 0, 1);
     check_importance(checks, settings.importance);
+    checks.between("ClothSettings::teleport_distance", settings.teleport_distance, 0, 1e6f);
+    checks.between("ClothSettings::teleport_angle", settings.teleport_angle, 0, 3.2f);
+    checks.between("ClothSettings::gravity_scale", settings.gravity_scale, -10, 10);
+    checks.between("ClothSettings::wind_scale", settings.wind_scale, 0, 10);
     return checks.result();
 }
 

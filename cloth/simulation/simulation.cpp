@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cloth/air/air_sources.h"
+#include "cloth/air/shelters.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/platform.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 /// Whether the wind varies from place to place.
 bool varies(const Wind& wind) {
-    return wind.gust > 0 || has_sources(wind);
+    return wind.gust > 0 || has_sources(wind) || has_shelters(wind);
 }
 
 Parallel make_parallel(const WorldSettings& settings) {
@@ -39,7 +40,8 @@ bool have_same_threads(const WorldSettings& a, const WorldSettings& b) {
 /// Whether both settings exert the same forces on cloth at rest.
 bool have_same_forces(const WorldSettings& a, const WorldSettings& b) {
     static_assert(std::is_trivially_copyable_v<Wind> && sizeof(AirSource) == 8 * sizeof(float) &&
-                  sizeof(Wind) == 9 * sizeof(float) + sizeof(Wind::sources));
+                  sizeof(AirShelter) == 14 * sizeof(float) &&
+                  sizeof(Wind) == 9 * sizeof(float) + sizeof(Wind::sources) + sizeof(Wind::shelters));
     return std::memcmp(&a.wind, &b.wind, sizeof a.wind) == 0 && to_vector(a.gravity) == to_vector(b.gravity);
 }
 

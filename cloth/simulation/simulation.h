@@ -81,12 +81,16 @@ struct Simulation {
     void set_frame(Cloth& cloth, const Transform& pose);
     /// Teleports a cloth. Precondition: it stays within reach.
     void move(Cloth& cloth, const RigidMotion& by);
+    /// Updates what follows from a cloth's positions, after a teleport.
+    void has_been_moved(Cloth& cloth);
     /// The rigid motion that brings a cloth to what holds it: pins, bodies, and the skin that limits are
     /// measured from. None if it is there already. Error: a vertex would be out of reach.
     [[nodiscard]] Result<std::optional<RigidMotion>> motion_to_holds(Cloth& cloth, const SkinState& skin,
                                                                      StillPins pins);
     /// Teleports a cloth by that motion, then each held particle to its place.
     void go_to_holds(Cloth& cloth, const RigidMotion& by, StillPins pins);
+    /// Puts a cloth at rest into a pose given by the mesh's vertices. Precondition: it is within reach.
+    void reset(Cloth& cloth, std::span<const Vec3> positions);
     void shift_origin(const Vec3& to);
     /// Frees the memory that cloths share, if the last one was removed.
     void cloth_has_gone() noexcept;
@@ -129,6 +133,10 @@ struct Simulation {
     void find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const;
 
     [[nodiscard]] bool reports_contacts() const { return settings.contact_reports > 0; }
+    /// Gravity as it acts on a cloth [m/s^2].
+    [[nodiscard]] Vector3 gravity_on(const Cloth& cloth) const {
+        return cloth.settings.gravity_scale * to_vector(settings.gravity);
+    }
     [[nodiscard]] bool air_is_on() const { return settings.wind.air_density > 0; }
     [[nodiscard]] auto timed(Stage stage) { return profiler.time(static_cast<std::uint32_t>(stage)); }
     static void update_normals(Parallel& loops, Cloth& cloth);

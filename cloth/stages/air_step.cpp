@@ -1,9 +1,11 @@
 // The air's part of a step.
 
+#include <optional>
 #include <utility>
 
 #include "cloth/air/air_sources.h"
 #include "cloth/air/gusts.h"
+#include "cloth/air/shelters.h"
 #include "cloth/stages/air_step.h"
 
 namespace weft {
@@ -12,17 +14,30 @@ void feel_wind(Simulation& world, Worker& worker, Cloth& cloth) {
     if (cloth.air.velocities.size() == 0) return;
     const auto timer = world.timed(Stage::wind);
     world.find_air(worker.parallel, std::as_const(cloth.state.positions).span(), cloth.air.velocities.span());
+    const float scale = cloth.settings.wind_scale;
+    if (scale == 1) return;
+    worker.parallel.ranges(cloth.model.particle_count, [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            set_xyz(cloth.air.velocities[i], scale * xyz(cloth.air.velocities[i]));
+    });
 }
 
 void Simulation::find_air(Parallel& threads, std::span<const Vec4> points, std::span<Vec4> velocities) const {
     WindField(settings.wind, state.wind_path, state.time).sample(threads, points, velocities);
+    if (has_shelters(settings.wind)) shelter_air(threads, settings.wind, points, velocities);
     if (has_sources(settings.wind)) add_air_of_sources(threads, settings.wind, points, velocities);
 }
 
 void air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool has_moved) {
     const auto timer = world.timed(Stage::wind);
+    const float scale = cloth.settings.wind_scale;
+    std::optional<Wind> scaled;
+    if (scale != 1) {
+        scaled = world.settings.wind;
+        scaled->velocity = to_vec3(scale * to_vector(scaled->velocity));
+    }
     cloth.surface.compute_air_forces(worker.parallel,
-                                     {.wind = world.settings.wind,
+                                     {.wind = scaled ? *scaled : world.settings.wind,
                                       .positions = cloth.state.positions.span(),
                                       .velocities = cloth.state.velocities.span(),
                                       .air_velocities = cloth.air.velocities.span(),

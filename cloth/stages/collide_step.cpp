@@ -11,7 +11,7 @@
 namespace weft {
 
 ClothSide side_of(const Simulation& world, const Cloth& cloth, float h) {
-    return cloth.side(2 * h * to_vector(world.settings.gravity).norm());
+    return cloth.side(2 * h * world.gravity_on(cloth).norm());
 }
 
 std::uint32_t collide(Simulation& world, Worker& worker, Cloth& cloth, float h,

@@ -34,10 +34,6 @@ Bounds reach_of(const Cloth& cloth, const Vector3& gravity, float dt) {
     return grown(box_of(cloth), cloth.as_body().radius + way);
 }
 
-bool are_alike(std::span<const Vec4> a, std::span<const Vec4> b) {
-    return a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
-}
-
 /// Greatest displacement of a particle in the step [m].
 float farthest_way(const ClothState& state) {
     const auto now = std::as_const(state.positions).span(),
@@ -97,8 +93,7 @@ bool is_moved_by_host(const Cloth& cloth) {
     if (std::ranges::any_of(state.pins, moves)) return true;
     if (state.frame && std::memcmp(&state.frame->pose, &state.frame->target, sizeof(Transform)) != 0)
         return true;
-    return !are_alike(state.skin.places.span(), state.skin.target_places.span()) ||
-           !are_alike(state.skin.normals.span(), state.skin.target_normals.span());
+    return !state.skin.is_still();
 }
 
 /// Wakes cloths that are disturbed; where the air is gusty, all that may sleep.
@@ -141,7 +136,7 @@ void find_disturbed(Simulation& world, float dt) {
 void sleep_and_wake(Simulation& world, float dt) {
     world.boxes.clear();
     for (const Cloth* cloth : world.present)
-        world.boxes.push_back(reach_of(*cloth, to_vector(world.settings.gravity), dt));
+        world.boxes.push_back(reach_of(*cloth, world.gravity_on(*cloth), dt));
     world.group_finder.find(world.boxes, [&](std::uint32_t i, std::uint32_t j) {
         return may_meet(*world.present[i], *world.present[j]);
     });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cloth/mesh/coordinates.h"
@@ -21,21 +22,23 @@ bool rounds_gaps_away(const Cloth& cloth) {
     return step * farthest > 0.125f * cloth.as_body().floor;
 }
 
-/// Box around the cloth before and after its transport.
-Eigen::AlignedBox3d box_over_carry(const Cloth& cloth) {
+/// Box around the cloth before and after a motion.
+Eigen::AlignedBox3d box_over(const Cloth& cloth, const RigidMotion& by) {
     const Eigen::AlignedBox3d here(to_vector(cloth.extent.lower).cast<double>(),
                                    to_vector(cloth.extent.upper).cast<double>());
     Eigen::AlignedBox3d box = here;
-    if (!cloth.carried || here.isEmpty()) return box;
+    if (here.isEmpty()) return box;
     for (int corner = 0; corner < 8; ++corner)
-        box.extend(cloth.carried->by.turn *
-                       here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) +
-                   cloth.carried->by.shift);
+        box.extend(by.turn * here.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) + by.shift);
     return box;
 }
 
-bool stays_within_reach(const Cloth& cloth) {
-    const Eigen::AlignedBox3d box = box_over_carry(cloth);
+/// Box around the cloth before and after its transport.
+Eigen::AlignedBox3d box_over_carry(const Cloth& cloth) {
+    return box_over(cloth, cloth.carried ? cloth.carried->by : RigidMotion{});
+}
+
+bool stays_within_reach(const Eigen::AlignedBox3d& box) {
     return box.isEmpty() ||
            box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() <= double{runaway_distance};
 }
@@ -52,6 +55,36 @@ bool are_carried_alike(const Cloth& a, const Cloth& b) {
            (a.carried->by.turn == b.carried->by.turn && a.carried->by.shift == b.carried->by.shift);
 }
 
+/// Teleports a cloth whose frame jumps.
+void jump_with_frame(Simulation& world, Cloth& cloth, float dt) {
+    cloth.jumped =
+        jump_of(*cloth.state.frame, cloth.settings.teleport_distance, cloth.settings.teleport_angle, dt);
+    if (!cloth.jumped) return;
+    if (!stays_within_reach(box_over(cloth, *cloth.jumped))) {
+        cloth.jumped.reset();
+        cloth.solver_failed = true;  // guard() stops it where it is
+        return;
+    }
+    jump(world.parallel, *cloth.jumped, cloth.state);
+    world.has_been_moved(cloth);
+}
+
+/// The greatest way of a collider's points [m]; negative for planes.
+float greatest_way(const ColliderMotion& motion) {
+    constexpr Pace any_pace{1, std::numeric_limits<float>::infinity()};
+    return with_shapes(
+        motion, [&](const auto& start, const auto& end) { return sweeping(start, end, any_pace, 0).way; });
+}
+
+/// Where a collider starts, as a cloth sees it that may have jumped: a limb jumps with it, a wall does not.
+Collider start_of(const ColliderSlot& slot, const Cloth* cloth, ColliderMotion motion) {
+    if (cloth == nullptr || !cloth->jumped) return slot.current;
+    const Collider jumped = moved(slot.current, *cloth->jumped);
+    const float way = greatest_way(motion);
+    motion.start = jumped;
+    return greatest_way(motion) < way ? jumped : slot.current;
+}
+
 bool is_moved(const Cloth& cloth) {
     return cloth.carried && cloth.carried->moves;
 }
@@ -59,16 +92,17 @@ bool is_moved(const Cloth& cloth) {
 }  // namespace
 
 void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions, std::uint32_t mask,
-                  const Substep& substep, const Carried* carried) {
+                  const Substep& substep, const Cloth* cloth) {
     motions.clear();
     world.state.colliders.for_each([&](ColliderId, const ColliderSlot& slot) {
         if (slot.target.is_trigger || (slot.target.layers & mask) == 0) return;
         if (world.body_stage && world.state.bodies.find(slot.body) != nullptr) return;
-        const Collider from =
-            carried != nullptr && carried->moves ? moved(slot.current, carried->by) : slot.current;
         ColliderMotion& motion =
-            motions.emplace_back(ColliderMotion{from, slot.target, world.settings.max_speed});
+            motions.emplace_back(ColliderMotion{slot.current, slot.target, world.settings.max_speed});
         motion.held = world.held_by(slot.target);
+        Collider from = start_of(slot, cloth, motion);
+        if (cloth != nullptr && is_moved(*cloth)) from = moved(from, cloth->carried->by);
+        motion.start = from;
         // A collider that jumps is at its target from the first substep on: half way it would hit cloth that
         // lies there.
         if (!has_jumped(motion, substep.h * static_cast<float>(substep.count))) {
@@ -89,11 +123,13 @@ void plan_carries(Simulation& world, float dt) {
     bool any = false;
     for (Cloth* cloth : world.present) {
         cloth->carried.reset();
+        cloth->jumped.reset();
         if (!cloth->state.frame) continue;
+        jump_with_frame(world, *cloth, dt);
         cloth->carried = carry_of(*cloth->state.frame, cloth->settings.frame_inertia, dt);
         if (!is_moved(*cloth)) continue;
         any = true;
-        if (stays_within_reach(*cloth)) continue;
+        if (stays_within_reach(box_over_carry(*cloth))) continue;
         cloth->carried.reset();
         cloth->solver_failed = true;  // guard() stops it where it is
     }
@@ -124,9 +160,8 @@ void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* con
     worker.seen_layers = mask;
     worker.seen_over = substep;
     for (Cloth* cloth : set)
-        if (cloth->carried)
-            fill_motions(world, cloth->seen_colliders, cloth->settings.collider_mask, substep,
-                         &*cloth->carried);
+        if (cloth->sees_own_colliders())
+            fill_motions(world, cloth->seen_colliders, cloth->settings.collider_mask, substep, cloth);
     if (!with_bodies) return;
     add_carried_motions(world, colliders_of(worker, *set.front()), mask, substep);
     worker.seen_over = {0, 0, 0};
@@ -166,6 +201,10 @@ void Simulation::set_frame(Cloth& cloth, const Transform& pose) {
 
 void Simulation::move(Cloth& cloth, const RigidMotion& by) {
     move_all(parallel, by, cloth.state);
+    has_been_moved(cloth);
+}
+
+void Simulation::has_been_moved(Cloth& cloth) {
     cloth.state.may_cross = cloth.has_features() ? 1 : 0;
     // A step begins with the triangles' normals that the last one ended with.
     update_normals(parallel, cloth);

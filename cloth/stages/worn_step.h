@@ -8,19 +8,19 @@
 
 namespace weft {
 
-/// Plans the transport of cloths by their frames, before a step of dt seconds.
+/// Before a step of dt seconds: teleports cloths whose frames jump, and plans the transport by their frames.
 void plan_carries(Simulation& world, float dt);
 
 /// Fills `motions` with those of the unattached colliders with any of these layers over the substep, triggers
-/// left out. `carried`: the transport of a cloth that they are relative to, or null.
+/// left out. `cloth`: the cloth whose transport and teleport they are relative to, or null.
 void fill_motions(const Simulation& world, std::vector<ColliderMotion>& motions, std::uint32_t mask,
-                  const Substep& substep, const Carried* carried);
+                  const Substep& substep, const Cloth* cloth);
 /// Updates the motions of colliders that a set's cloths may meet. A cloth that its frame transports has a
 /// list of its own, relative to the transport.
 void see_colliders(const Simulation& world, Worker& worker, std::span<Cloth* const> set,
                    const Substep& substep);
 [[nodiscard]] inline std::vector<ColliderMotion>& colliders_of(const Worker& worker, Cloth& cloth) {
-    return cloth.carried ? cloth.seen_colliders : worker.motions;
+    return cloth.sees_own_colliders() ? cloth.seen_colliders : worker.motions;
 }
 /// Motions of the colliders that are in the cloth's equation.
 [[nodiscard]] inline std::span<const ColliderMotion> colliders_in_equation(const Worker& worker,

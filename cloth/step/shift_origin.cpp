@@ -42,6 +42,8 @@ void Simulation::shift_origin(const Vec3& to) {
     state.bodies.for_each([&](BodyId, BodySlot& slot) { shift(slot.state.position, by); });
     for (AirSource& source : settings.wind.sources)
         if (source.kind != AirSourceKind::none) shift(source.position, by);
+    for (AirShelter& shelter : settings.wind.shelters)
+        if (shelter.kind != AirShelterKind::none) shift(shelter.position, by);
     place_carried_colliders();
     state.wind_path[0] -= static_cast<double>(to.x);
     state.wind_path[1] -= static_cast<double>(to.y);

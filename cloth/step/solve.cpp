@@ -90,7 +90,7 @@ struct SetEnds {
 SetEnds order_by_sets(const Simulation& world, Group& group, std::span<Cloth* const> cloths, float h) {
     // Bodies move the colliders of one list, and a transported cloth has a list of its own.
     const auto is_alone = [&](const Cloth& cloth) {
-        return !can_join(cloth) || (world.body_stage && cloth.carried);
+        return !can_join(cloth) || (world.body_stage && cloth.sees_own_colliders());
     };
     std::size_t end = 0;
     const auto add = [&](const auto& is_wanted) {
@@ -121,7 +121,7 @@ StepEquation equation_of(Simulation& world, Worker& worker, Cloth& cloth, float 
             .velocities = now.velocities.span(),
             .base_positions = second_order ? cloth.history->base_positions() : now.positions.span(),
             .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
-            .external = {.gravity = to_vector(world.settings.gravity),
+            .external = {.gravity = world.gravity_on(cloth),
                          .air_damping = cloth.settings.air_damping,
                          .air = std::as_const(cloth.air.forces).span()},
             .contacts = cloth.contacts ? &*cloth.contacts : nullptr,

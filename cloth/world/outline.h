@@ -60,12 +60,12 @@ class Outline {
     template <class Enum>
     requires std::is_enum_v<Enum>
     void value(std::string_view name, Enum value) { line(name, quoted(name_of(value))); }
-    /// Writes the sources that are set.
-    template <std::size_t count>
-    void value(std::string_view name, const std::array<AirSource, count>& sources) {
+    /// Writes the sources or shelters that are set.
+    template <HasFields T, std::size_t count>
+    void value(std::string_view name, const std::array<T, count>& all) {
         list(name, [&] {
-            for (const AirSource& source : sources)
-                if (source.kind != AirSourceKind::none) value("", source);
+            for (const T& each : all)
+                if (each.kind != decltype(each.kind)::none) value("", each);
         });
     }
     template <HasFields T>

@@ -104,6 +104,19 @@ Result<void> validate_skin(const Cloth& cloth, std::span<const Vec3> places, std
     return {};
 }
 
+/// Checks a pose to be reset to, vertex by vertex.
+Result<void> validate_pose(const Cloth& cloth, std::span<const Vec3> positions) {
+    const std::size_t vertices = cloth.model.vertex_to_particle.size();
+    if (positions.size() != vertices)
+        return Error{ErrorCode::invalid_argument, std::to_string(positions.size()) +
+                                                      " positions; the mesh has " + std::to_string(vertices) +
+                                                      " vertices: give as many"};
+    for (std::size_t v = 0; v < vertices; ++v)
+        if (!is_within_reach(positions[v]))
+            return validate_point(("the position of vertex " + std::to_string(v)).c_str(), positions[v]);
+    return {};
+}
+
 void take_skin(SkinState& skin, std::span<const std::uint32_t> particles, std::span<const Vec3> places,
                std::span<const Vec3> normals) noexcept {
     const bool has_normals = skin.target_normals.size() > 0;
@@ -141,6 +154,17 @@ Result<void> World::move_cloth(ClothId id, const Transform& by) {
             impl_->simulation.parallel.lend([&] { impl_->simulation.move(cloth, motion); });
             cloth.wake();
             cloth.land();
+            return {};
+        });
+    });
+}
+
+Result<void> World::reset_cloth(ClothId id, std::span<const Vec3> positions) {
+    return impl_->change(Call::reset_cloth, id, positions)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (auto valid = validate_pose(cloth, positions); !valid) return valid;
+            impl_->simulation.wake_near(cloth);
+            impl_->simulation.parallel.lend([&] { impl_->simulation.reset(cloth, positions); });
             return {};
         });
     });
@@ -227,6 +251,11 @@ Result<void> World::shift_origin(const Vec3& to) {
             const Vector3 there = to_vector(source.position) - to_vector(to);
             if (valid && source.kind != AirSourceKind::none)
                 valid = validate_point("AirSource::position", to_vec3(there));
+        }
+        for (const AirShelter& shelter : simulation.settings.wind.shelters) {
+            const Vector3 there = to_vector(shelter.position) - to_vector(to);
+            if (valid && shelter.kind != AirShelterKind::none)
+                valid = validate_point("AirShelter::position", to_vec3(there));
         }
         if (!valid) return valid;
         simulation.parallel.lend([&] { simulation.shift_origin(to); });

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string>
 
+#include "cloth/mesh/rest/rest_elements.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -20,6 +21,7 @@ void for_each_stream(const VertexStreams& to, const Visit& visit) {
     visit("previous_normals", to.previous_normals, 3u);
     visit("tangents", to.tangents, 4u);
     visit("texcoords", to.texcoords, 2u);
+    visit("strains", to.strains, 2u);
 }
 
 template <std::size_t N>
@@ -77,11 +79,18 @@ Side side_of(const ClothView& view, std::uint32_t triangle, std::size_t corner) 
             static_cast<double>(to.y) - static_cast<double>(from.y)};
 }
 
+/// Whether the vertex is a corner of the triangle of its particle; true if the mesh does not tell vertices of
+/// one particle apart.
+bool has_vertex(const ClothView& view, std::uint32_t triangle, std::uint32_t vertex) noexcept {
+    if (view.vertex_triangles.empty()) return true;
+    const Triangle& vertices = view.vertex_triangles[triangle];
+    return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
+}
+
 Growth growth_at(const ClothView& view, const ClothModel& model, std::uint32_t vertex) noexcept {
     Growth growth;
     for (const std::uint32_t t : triangles_at(model, view.vertex_to_particle[vertex])) {
-        const Triangle& vertices = view.vertex_triangles[t];
-        if (vertices[0] != vertex && vertices[1] != vertex && vertices[2] != vertex) continue;
+        if (!has_vertex(view, t, vertex)) continue;
         const Side one = side_of(view, t, 1), two = side_of(view, t, 2);
         const double turn = one.u * two.v - two.u * one.v < 0 ? -1 : 1;
         growth.along_u += turn * (two.v * one.way - one.v * two.way);
@@ -101,6 +110,29 @@ std::array<float, 4> tangent_at(const ClothView& view, const ClothModel& model,
         length > 1e-100 ? Vector3((level / length).cast<float>()) : normal.unitOrthogonal();
     const float handedness = out.cross(tangent.cast<double>()).dot(growth.along_v) < 0 ? -1.0f : 1.0f;
     return {tangent.x(), tangent.y(), tangent.z(), handedness};
+}
+
+/// The mean strain along warp and weft of a vertex's triangles, by rest areas. A triangle's sides are F times
+/// those at rest, and the columns of F are its threads over their lengths at rest.
+std::array<float, 2> strain_at(const ClothView& view, const ClothModel& model,
+                               std::uint32_t vertex) noexcept {
+    Eigen::Vector2f sum = Eigen::Vector2f::Zero();
+    float areas = 0;
+    for (const std::uint32_t t : triangles_at(model, view.vertex_to_particle[vertex])) {
+        if (!has_vertex(view, t, vertex)) continue;
+        const auto [to1, to2] = rest_sides(model, t);
+        const float turn = to1.x() * to2.y() - to2.x() * to1.y(), area = std::abs(turn);
+        if (!(area > 0)) continue;
+        const Triangle& corners = view.triangles[t];
+        const Vector3 origin = xyz(view.positions[corners[0]]);
+        const Vector3 one = xyz(view.positions[corners[1]]) - origin,
+                      two = xyz(view.positions[corners[2]]) - origin;
+        sum.x() += (to2.y() * one - to1.y() * two).norm() - area;
+        sum.y() += (to1.x() * two - to2.x() * one).norm() - area;
+        areas += area;
+    }
+    if (!(areas > 0)) return {};
+    return {sum.x() / areas, sum.y() / areas};
 }
 
 }  // namespace
@@ -156,6 +188,7 @@ void write_vertices(const ClothView& view, const ClothModel& model, const Vertex
     each(to.texcoords, [&](std::uint32_t v, std::uint32_t) {
         return std::array{view.texcoords[v].x, view.texcoords[v].y};
     });
+    each(to.strains, [&](std::uint32_t v, std::uint32_t) { return strain_at(view, model, v); });
 }
 
 }  // namespace weft

@@ -238,6 +238,17 @@ Player::Answered Player::make(const Operation& operation, const MoveCloth& call)
     return answer;
 }
 
+Player::Answered Player::make(const Operation& operation, const ResetCloth& call) {
+    const auto answer = world_.reset_cloth(*cloths_[operation.cloth], call.positions);
+    if (!answer) return answer;
+    const ClothView view = *world_.cloth(*cloths_[operation.cloth]);
+    for (auto& [i, target] : pins_[operation.cloth]) {
+        const Vec4& there = view.positions[i];
+        target = {there.x, there.y, there.z};
+    }
+    return answer;
+}
+
 Player::Answered Player::make(const Operation& operation, const SetFrame& call) {
     return world_.set_frame(*cloths_[operation.cloth], call.pose);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "tests/fuzz/player.h"
 
@@ -66,6 +67,17 @@ void Player::ask_of_cloth(ClothId id) {
     check(std::ranges::is_sorted(std::span(strained).first(count), std::ranges::greater(),
                                  &StrainedEdge::strain),
           "the most strained edges are not the first");
+
+    const Vec3& corner = view.bounds.lower;
+    if (const auto nearest =
+            world_.closest_point(corner, std::numeric_limits<float>::infinity(), id).value()) {
+        check(nearest->cloth == id && nearest->triangle < view.triangles.size(), "a place on no cloth");
+        const Vec3& there = nearest->position;
+        const Vec3 way{there.x - corner.x, there.y - corner.y, there.z - corner.z};
+        const auto hit = world_.cast_ray(corner, way, std::numeric_limits<float>::infinity(), id);
+        check(!hit || !*hit || (*hit)->distance >= 0.99f * nearest->distance - 1e-3f,
+              "a ray meets what is nearer than the nearest place");
+    }
 
     const std::size_t vertices = view.vertex_to_particle.size();
     std::vector<Vec3> of_kind[4];

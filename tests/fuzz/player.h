@@ -86,6 +86,7 @@ class Player {
     Answered make(const Operation& operation, const Detach& call);
     Answered make(const Operation&, const SetWorldSettings& call);
     Answered make(const Operation& operation, const MoveCloth& call);
+    Answered make(const Operation& operation, const ResetCloth& call);
     Answered make(const Operation& operation, const SetFrame& call);
     Answered make(const Operation& operation, const LeaveFrame&);
     Answered make(const Operation& operation, const SetMap& call);

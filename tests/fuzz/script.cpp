@@ -101,6 +101,7 @@ class Author {
     void step();
     void start_trace();
     void move_cloth();
+    void reset_cloth();
     void set_frame();
     void set_map();
     void set_skin();
@@ -181,6 +182,7 @@ void Author::add_operation() {
         {6, &Author::set_world_settings},
         {1, &Author::start_trace},
         {2, &Author::move_cloth},
+        {2, &Author::reset_cloth},
         {6, &Author::set_frame},
         {6, &Author::set_map},
         {8, &Author::set_skin},
@@ -204,6 +206,16 @@ void Author::add_operation() {
 void Author::move_cloth() {
     const Drawn<Transform> by = random_transform(random_);
     add(MoveCloth{by.value}, by.answer, any_of(cloths_));
+}
+
+void Author::reset_cloth() {
+    const std::size_t cloth = any_of(cloths_);
+    ResetCloth call;
+    const Vec3 by = random_.point(random_.chance(0.1) ? random_.of_any_size(1, 1e4f) : 1.0f);
+    for (const Vec3& p : cloths_[cloth].mesh.positions)
+        call.positions.push_back({p.x + by.x, p.y + by.y, p.z + by.z});
+    if (random_.chance(0.05)) call.positions.emplace_back();
+    add(std::move(call), Answer::either, cloth);
 }
 
 void Author::set_frame() {

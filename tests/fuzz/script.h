@@ -107,6 +107,9 @@ struct MoveWorld {};
 struct MoveCloth {
     Transform by;
 };
+struct ResetCloth {
+    std::vector<Vec3> positions;
+};
 struct SetFrame {
     Transform pose;
 };
@@ -144,9 +147,9 @@ struct Operation {
 
     std::variant<AddCloth, MeasureCloth, RemoveCloth, SetClothSettings, Pin, MovePin, Unpin, AddCollider,
                  MoveCollider, PlaceCollider, RemoveCollider, AddBody, SetBody, RemoveBody, AttachCollider,
-                 Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld, MoveCloth, SetFrame,
-                 LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape, RemoveShape, Save,
-                 Restore, Recut, SetEnabled, Wake, SetImportance, DetachCollider, Ask>
+                 Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld, MoveCloth, ResetCloth,
+                 SetFrame, LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape,
+                 RemoveShape, Save, Restore, Recut, SetEnabled, Wake, SetImportance, DetachCollider, Ask>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

@@ -110,14 +110,29 @@ static std::string text_of(const SelfCollision& s) {
                                     text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
 }
 std::string text_of(const ClothSettings& s) {
-    return braced("ClothSettings",
-                  {text_of(s.fabric), text_of(s.finite_elements),
-                   std::visit([](const auto& method) { return text_of(method); }, s.method),
-                   text_of(s.time_scheme), text_of(s.substeps), text_of(s.tethers), text_of(s.self_collision),
-                   text_of(s.air_damping), text_of(s.thickness), text_of(s.friction), text_of(s.restitution),
-                   text_of(s.collider_mask), text_of(s.collider_response), text_of(s.frame_inertia.linear),
-                   text_of(s.frame_inertia.angular), text_of(s.frame_inertia.centrifugal), text_of(s.enabled),
-                   text_of(s.sleep_speed), text_of(s.importance)});
+    return braced("ClothSettings", {text_of(s.fabric),
+                                    text_of(s.finite_elements),
+                                    std::visit([](const auto& method) { return text_of(method); }, s.method),
+                                    text_of(s.time_scheme),
+                                    text_of(s.substeps),
+                                    text_of(s.tethers),
+                                    text_of(s.self_collision),
+                                    text_of(s.air_damping),
+                                    text_of(s.thickness),
+                                    text_of(s.friction),
+                                    text_of(s.restitution),
+                                    text_of(s.collider_mask),
+                                    text_of(s.collider_response),
+                                    text_of(s.frame_inertia.linear),
+                                    text_of(s.frame_inertia.angular),
+                                    text_of(s.frame_inertia.centrifugal),
+                                    text_of(s.enabled),
+                                    text_of(s.sleep_speed),
+                                    text_of(s.importance),
+                                    text_of(s.teleport_distance),
+                                    text_of(s.teleport_angle),
+                                    text_of(s.gravity_scale),
+                                    text_of(s.wind_scale)});
 }
 
 static std::string text_of(const AirSource& a) {
@@ -130,10 +145,21 @@ static std::string text_of(const std::array<AirSource, 8>& sources) {
         if (each.kind != AirSourceKind::none) text += text_of(each);
     return '{' + text + '}';
 }
+static std::string text_of(const AirShelter& a) {
+    return braced("AirShelter",
+                  {text_of(a.kind), text_of(a.position), text_of(a.rotation), text_of(a.half_extents),
+                   text_of(a.radius), text_of(a.border), text_of(a.exposure)});
+}
+static std::string text_of(const std::array<AirShelter, 8>& shelters) {
+    std::string text;
+    for (const AirShelter& each : shelters)
+        if (each.kind != AirShelterKind::none) text += text_of(each);
+    return '{' + text + '}';
+}
 static std::string text_of(const Wind& w) {
-    return braced("Wind",
-                  {text_of(w.velocity), text_of(w.gust), text_of(w.gust_length), text_of(w.air_density),
-                   text_of(w.drag), text_of(w.lift), text_of(w.seed), text_of(w.sources)});
+    return braced(
+        "Wind", {text_of(w.velocity), text_of(w.gust), text_of(w.gust_length), text_of(w.air_density),
+                 text_of(w.drag), text_of(w.lift), text_of(w.seed), text_of(w.sources), text_of(w.shelters)});
 }
 static std::string text_of(const Executor& e) {
     return braced("Executor", {text_of(e.run != nullptr), text_of(e.width)});
@@ -284,6 +310,9 @@ static std::string text_of(const Transform& t) {
 }
 static std::string text_of(const MoveCloth& call) {
     return "move_cloth(" + text_of(call.by) + ")";
+}
+static std::string text_of(const ResetCloth& call) {
+    return "reset_cloth(" + text_of(call.positions) + ")";
 }
 static std::string text_of(const SetFrame& call) {
     return "set_frame(" + text_of(call.pose) + ")";

@@ -334,6 +334,9 @@ std::vector<Call> other_calls() {
     calls.push_back({.name = "first_leash", .make = set_map(Map::leash, 0.1f), .bare = true});
     add("set_map_backstop", set_map(Map::backstop, 0.01f));
     add("move_cloth", [](Scene& s) { return s.world.move_cloth(s.cloth, {.translation = {0, 1, 0}}); });
+    add("reset_cloth", [pose = LoweredSheet::mesh(true, side).positions](Scene& s) {
+        return s.world.reset_cloth(s.cloth, pose);
+    });
     add("set_frame", [](Scene& s) { return s.world.set_frame(s.cloth, {.translation = {0, 1, 0}}); });
     add("leave_frame", [](Scene& s) { return s.world.leave_frame(s.cloth); });
     add("shift_origin", [](Scene& s) { return s.world.shift_origin({1, 0, 0}); });
@@ -496,6 +499,12 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
         [&] {
             return scene.world.set_frame(scene.cloth, {.rotation = {0, 0, 0, 3}}).ok();
         },
+        [&] { return scene.world.reset_cloth(scene.cloth, {}).ok(); },
+        [&] { return scene.world.cast_ray({}, {}).ok(); },
+        [&] {
+            return scene.world.closest_point({1e9f, 0, 0}).ok();
+        },
+        [&] { return scene.world.triangles_in_ball({}, -1, {}).ok(); },
         [&] { return scene.world.set_map(scene.cloth, Map::leash, three).ok(); },
         [&] { return scene.world.set_skin(scene.cloth, {}, {}).ok(); },
         [&] {

@@ -119,6 +119,17 @@ struct ClothSettings {
     /// 1 over the distance from the viewer [m]. 0: out of sight; the cloth gets the least time. See
     /// World::set_importance.
     float importance = 1;
+    /// A frame that moves farther than this in one step teleports its cloth [m], 0 to 1e6; see
+    /// World::set_frame. Set it above what the frame ever moves in a step. 0: it never does.
+    float teleport_distance = 0;
+    /// A frame that turns by more than this in one step teleports its cloth [rad], 0 to 3.2. From pi on, and
+    /// with 0, it never does.
+    float teleport_angle = 0;
+    /// Factor of the World's gravity for this cloth, -10 to 10. 0: it floats.
+    float gravity_scale = 1;
+    /// Factor of the air's velocity for this cloth, 0 to 10: wind, gusts and sources. The air's force grows
+    /// with the square of the velocity. 0: the air stands still for it, and slows it down.
+    float wind_scale = 1;
 };
 
 /// Kinds of air sources.
@@ -146,6 +157,26 @@ struct AirSource {
     float radius = 0.3f;  ///< [m], 1e-3 to 1e5
 };
 
+/// Kinds of shelters from the wind.
+enum class AirShelterKind : std::uint32_t {
+    none,  ///< nothing, whatever its other values are
+    ball,  ///< a ball of `radius`
+    box,   ///< a box of `half_extents`, turned by `rotation`
+};
+
+/// A place that keeps the wind and its gusts off, such as a room or the lee of a house. Sources blow within
+/// as they do outside. Where several overlap, their factors multiply. It does not move with anything: set it
+/// anew where it is a vehicle's.
+struct AirShelter {
+    AirShelterKind kind = AirShelterKind::none;  ///< its shape
+    Vec3 position{};                             ///< the middle [m], each component up to 1e5
+    Rotation rotation{};                         ///< of a box; of length 1
+    Vec3 half_extents{1, 1, 1};                  ///< of a box [m], each 1e-3 to 1e5
+    float radius = 1;                            ///< of a ball [m], 1e-3 to 1e5
+    float border = 0.5f;  ///< distance outside over which the wind rises to its whole [m], 1e-3 to 1e5
+    float exposure = 0;   ///< factor of the wind within, 0 to 1
+};
+
 /// Moving air. Its force on each triangle follows from the air's velocity relative to it.
 struct Wind {
     Vec3 velocity{};  ///< mean velocity [m/s], each component up to 1000
@@ -159,6 +190,9 @@ struct Wind {
     /// particle, unless gusts have done so; each takes some 2 ns a particle and step. World::shift_origin
     /// moves them.
     std::array<AirSource, 8> sources{};
+    /// Places out of the wind, in any order and with gaps. They take the memory that sources take, and the
+    /// World's origin moves them as it does sources.
+    std::array<AirShelter, 8> shelters{};
 };
 
 struct WorldSettings {

@@ -23,6 +23,10 @@ struct VertexStreams {
     /// normal x tangent (as in glTF). At seams each vertex has that of its panel.
     VertexStream tangents{};
     VertexStream texcoords{};  ///< u v
+    /// Strain along warp and along weft: a thread's length over that at rest, less 1, below 0 where cloth is
+    /// pressed together. The mean over the vertex's triangles, by their areas at rest; at seams each vertex
+    /// has that of its panel, if the mesh has texture coordinates. For wrinkle maps.
+    VertexStream strains{};
 };
 
 }  // namespace weft

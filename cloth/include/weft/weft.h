@@ -32,6 +32,7 @@
 #include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
+#include "weft/query.h"
 #include "weft/recording.h"
 #include "weft/report.h"
 #include "weft/self_collision.h"

@@ -114,6 +114,16 @@ WEFT_API WeftResult weft_world_add_cooked_cloth(WeftWorld* world, const WeftCook
                                                 const WeftTransform* place, WeftClothId* id);
 WEFT_API WeftResult weft_world_measure_cloth(const WeftWorld* world, const WeftMesh* mesh,
                                              const WeftClothSettings* settings, WeftClothInfo* info);
+// only: a cloth, or null for all. *found is 0, and *point stays, if there is no such place.
+WEFT_API WeftResult weft_world_cast_ray(const WeftWorld* world, WeftVec3 from, WeftVec3 direction,
+                                        float reach, WeftClothId only, WeftClothPoint* point,
+                                        WeftBool* found);
+WEFT_API WeftResult weft_world_closest_point(const WeftWorld* world, WeftVec3 to, float within,
+                                             WeftClothId only, WeftClothPoint* point, WeftBool* found);
+// found: how many there are, which may be more than the room.
+WEFT_API WeftResult weft_world_triangles_in_ball(const WeftWorld* world, WeftVec3 center, float radius,
+                                                 WeftClothId only, WeftClothPoint* to, size_t room,
+                                                 size_t* found);
 WEFT_API WeftResult weft_world_remove_cloth(WeftWorld* world, WeftClothId id);
 WEFT_API WeftResult weft_world_recut_cloth(WeftWorld* world, WeftClothId id, const WeftMesh* cut);
 WEFT_API WeftResult weft_world_strained_edges(const WeftWorld* world, WeftClothId id, float strain,
@@ -139,6 +149,8 @@ WEFT_API WeftResult weft_world_move_pins(WeftWorld* world, WeftClothId id, const
 WEFT_API WeftResult weft_world_unpin(WeftWorld* world, WeftClothId id, const uint32_t* vertices,
                                      size_t count);
 WEFT_API WeftResult weft_world_move_cloth(WeftWorld* world, WeftClothId id, const WeftTransform* by);
+// positions: three floats for each vertex.
+WEFT_API WeftResult weft_world_reset_cloth(WeftWorld* world, WeftClothId id, WeftInput positions);
 WEFT_API WeftResult weft_world_set_frame(WeftWorld* world, WeftClothId id, const WeftTransform* pose);
 WEFT_API WeftResult weft_world_leave_frame(WeftWorld* world, WeftClothId id);
 // map: WEFT_MAP_...; values are floats, or none.

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -20,6 +22,7 @@
 #include "weft/maps.h"
 #include "weft/mesh.h"
 #include "weft/profile.h"
+#include "weft/query.h"
 #include "weft/recording.h"
 #include "weft/report.h"
 #include "weft/settings.h"
@@ -69,6 +72,23 @@ class WEFT_API World {
     /// Errors: not as many velocities as points; a point that is not finite or beyond 100 km.
     Result<void> sample_air(std::span<const Vec3> points, std::span<Vec3> velocities) const;
 
+    /// Finds the first place where a ray meets cloth, from either side, as cloth lies after the last call:
+    /// none, or a place within `reach` [m] of `from`. `direction` has any length. `only`: of this cloth
+    /// alone; null: of all that are enabled. This call and the next two take no memory, and look at every
+    /// triangle of cloth whose bounding box is in reach, 10 to 20 ns each. Errors: `from` beyond 100 km, a
+    /// direction that is 0 or not finite, a reach that is not a number from 0, a stale id.
+    [[nodiscard]] Result<std::optional<ClothPoint>> cast_ray(
+        const Vec3& from, const Vec3& direction, float reach = std::numeric_limits<float>::infinity(),
+        ClothId only = {}) const;
+    /// Finds the place on cloth that is nearest to a point, within so many metres of it. Errors: as
+    /// cast_ray().
+    [[nodiscard]] Result<std::optional<ClothPoint>> closest_point(
+        const Vec3& to, float within = std::numeric_limits<float>::infinity(), ClothId only = {}) const;
+    /// Writes the triangles that a ball touches, by cloths and numbers, each by its place nearest to the
+    /// ball's middle, as many as there is room for. Returns how many there are. Errors: as cast_ray().
+    [[nodiscard]] Result<std::size_t> triangles_in_ball(const Vec3& center, float radius,
+                                                        std::span<ClothPoint> to, ClothId only = {}) const;
+
     /// Makes particles, springs and solver memory from the mesh, as CookedCloth::create() does, for this
     /// cloth alone; the mesh is not kept.
     Result<ClothId> add_cloth(const Mesh& mesh, const ClothSettings& settings = {});
@@ -114,12 +134,12 @@ class WEFT_API World {
     /// the cloth.
     [[nodiscard]] Result<const ClothView&> cloth(ClothId id) const;
     /// Writes vertices [first, first + count), as far as they exist, by the mesh's own numbers, into the
-    /// host's streams. It allocates nothing. Tangents and previous normals are computed from the triangles
-    /// round each vertex and take many times as long as the rest, which is copied: `weft_bench --calls`.
-    /// Calls may run side by side, and beside work(): threads may divide the vertices, and draw the last
-    /// step's result from begin_step() to end_step(). Errors: a stream of less room than all vertices take,
-    /// or whose stride is less than a value; texture coordinates or tangents of a cloth whose mesh has no
-    /// texture coordinates.
+    /// host's streams. It allocates nothing. Tangents, strains and previous normals are computed from the
+    /// triangles round each vertex and take many times as long as the rest, which is copied: `weft_bench
+    /// --calls`. Calls may run side by side, and beside work(): threads may divide the vertices, and draw the
+    /// last step's result from begin_step() to end_step(). Errors: a stream of less room than all vertices
+    /// take, or whose stride is less than a value; texture coordinates or tangents of a cloth whose mesh has
+    /// no texture coordinates.
     Result<void> write_vertices(ClothId id, const VertexStreams& to, std::size_t first = 0,
                                 std::size_t count = SIZE_MAX) const;
 
@@ -145,6 +165,15 @@ class WEFT_API World {
     /// is none, or a vertex would be out of the 100 km around the origin.
     Result<void> move_cloth(ClothId id, const Transform& by);
 
+    /// Puts the cloth into a pose, at rest: for a respawn or a camera's cut. `positions` are of the mesh's
+    /// vertices [m], such as a skinned mesh's; of welded vertices the last counts. Velocities are 0, nothing
+    /// is remembered of motion and contact, and a blend shows no path. Pins go where their vertices are put;
+    /// attached vertices go to their bodies. Skin and frame are at once where the host last set them, so set
+    /// them before, and place colliders. Cloth that crosses in this pose is separated, and cloth inside a
+    /// collider comes out at a limited speed. Takes no memory. Errors: another count than the mesh's
+    /// vertices; a vertex that is not finite, or beyond 100 km.
+    Result<void> reset_cloth(ClothId id, std::span<const Vec3> positions);
+
     /// Sets a moving frame of reference for cloth on a character or a vehicle. The first call places the
     /// frame and moves nothing; each later one moves it over the next step. In a step without a call it
     /// stands still. ClothSettings::frame_inertia says how much of the frame's acceleration acts on the
@@ -156,8 +185,11 @@ class WEFT_API World {
     /// Pins go where the host moves them. Colliders move relative to the cloth as they do to the frame, so
     /// that a body that moves with it neither rubs nor pushes. Cloths that touch need the same frame and
     /// inertia: otherwise one is transported across the other, and has to be separated. A turn in one step is
-    /// the shorter way round; a jump needs move_cloth. Errors: a rotation that is none, a place beyond 100
-    /// km.
+    /// the shorter way round. A jump needs move_cloth, or ClothSettings::teleport_distance and
+    /// teleport_angle: then a frame that moves or turns farther in one step takes its cloth along, as
+    /// move_cloth does, and a skin that the host has not set for this step. Each pin and collider is taken
+    /// along too, or stays, whichever makes its way in the step shorter. Errors: a rotation that is none, a
+    /// place beyond 100 km.
     Result<void> set_frame(ClothId id, const Transform& pose);
     /// Removes the frame, as before the first set_frame().
     Result<void> leave_frame(ClothId id);

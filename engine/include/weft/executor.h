@@ -8,10 +8,10 @@ namespace weft {
 /// Runs `body(context, block)` once for every block in [0, block_count), on whatever threads it likes, in any
 /// order, also one block after the other on one thread, and returns when all are done.
 ///
-/// A World calls `run` once in each World::step, move_cloth and shift_origin and at no other time, with
-/// `width` blocks. The first block to begin is the step, on the thread that begins it. The others help with
-/// it and return when it ends: a thread that helps is busy for as long as the step takes. Results do not
-/// depend on the order or on the threads.
+/// A World calls `run` once in each World::step, move_cloth, reset_cloth and shift_origin and at no other
+/// time, with `width` blocks. The first block to begin is the step, on the thread that begins it. The others
+/// help with it and return when it ends: a thread that helps is busy for as long as the step takes. Results
+/// do not depend on the order or on the threads.
 ///
 /// With `run` null (the default) Weft uses threads of its own: a oneTBB arena, or with WEFT_TBB=OFF the
 /// standard library's.

@@ -215,7 +215,7 @@ TEST(ForgedSave, RestAndTanglesThatNoStepLeavesAreRefused) {
     EXPECT_TRUE(calm.restore(changed_in(rests, rest + offsetof(Rest, asleep), 1u)));
 
     World world = World::create({.threads = 1}).value();
-    const Bytes good = saved_with(world, {.self_collision = {.enabled = true}});
+    const Bytes good = saved_with(world, {.self_collision = {.method = SelfCollisionMethod::contact}});
     const std::size_t halved = good.size() - 4, may_cross = halved - 4,
                       tangles = may_cross - 9 * sizeof(TangleMemory);
     EXPECT_TRUE(world.restore(changed_in(good, halved, ClothState::most_halved)));

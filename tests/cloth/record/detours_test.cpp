@@ -155,6 +155,8 @@ std::vector<NamedCall> calls() {
          [](Scene& s) {
              (void)s.world.move_cloth(s.cloths[1], {{0.1f, 0.2f, 0.3f}, {0, 0.6f, 0, 0.8f}});
          }},
+        {"reset_cloth",
+         [](Scene& s) { (void)s.world.reset_cloth(s.cloths[1], cloth_mesh(s.grid, 1.4f).positions); }},
         {"set_frame",
          [](Scene& s) {
              (void)s.world.set_frame(s.cloths[2], {{0.1f, 0, 0.05f}, {0, 0.1f, 0, 0.995f}});

@@ -72,6 +72,7 @@ struct EveryCall {
         settings.threads = 1;
         settings.wind.velocity = {1, 0, 3};
         settings.wind.sources[1] = {AirSourceKind::jet, {0, 0.5f, -1}, {0, 0, 4}, 0.5f};
+        settings.wind.shelters[2] = {.kind = AirShelterKind::ball, .position = {0, 2, 0}};
         settings.contact_reports = 32;
         settings.budget = 1e-4f;  // less than there is
         EXPECT_TRUE(world.set_settings(settings));
@@ -129,6 +130,7 @@ struct EveryCall {
         EXPECT_TRUE(world.set_frame(cloths[3], {}));
         EXPECT_TRUE(world.set_frame(cloths[3], {.translation = {0.05f, 0, 0}}));
         EXPECT_TRUE(world.move_cloth(cloths[2], {.translation = {0, 0.1f, 0}}));
+        EXPECT_TRUE(world.reset_cloth(cloths[1], small_sheet(0.6f).positions));
         EXPECT_TRUE(world.move_pins(cloths[0], std::vector<std::uint32_t>{0, 8},
                                     std::vector<Vec3>{{-0.3f, 0.45f, -0.3f}, {0.3f, 0.45f, -0.3f}}));
         const std::array<Vec3, 4> deformed{{{0, 0, 0}, {0.25f, 0, 0}, {0, 0.2f, 0}, {0, 0, 0.2f}}};

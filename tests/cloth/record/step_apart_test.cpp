@@ -161,6 +161,13 @@ TEST(StepApart, RefusesByNameWhatWouldChangeIt) {
         {"unpin", [&] { return world.unpin(cloth, 0); }},
         {"move_pins", [&] { return world.move_pin(cloth, 0, {}); }},
         {"move_cloth", [&] { return world.move_cloth(cloth, {}); }},
+        {"reset_cloth", [&] { return world.reset_cloth(cloth, {}); }},
+        {"cast_ray",
+         [&] {
+             return answer_of(world.cast_ray({}, {0, 1, 0}));
+         }},
+        {"closest_point", [&] { return answer_of(world.closest_point({})); }},
+        {"triangles_in_ball", [&] { return answer_of(world.triangles_in_ball({}, 1, {})); }},
         {"set_frame", [&] { return world.set_frame(cloth, {}); }},
         {"leave_frame", [&] { return world.leave_frame(cloth); }},
         {"set_map", [&] { return world.set_map(cloth, Map::mass, {}); }},

@@ -27,7 +27,7 @@ constexpr int lines_of() {
 // A struct of for_both() that gets another field does not compile here until it is counted there, and has its
 // line in fields.h.
 [[maybe_unused]] void count_fields(Fabric& a, FiniteElements& b, Tethers& c, FrameInertia& d,
-                                   SelfCollision& e, ClothSettings& f, AirSource& g, Wind& h,
+                                   SelfCollision& e, ClothSettings& f, AirSource& g, AirShelter& p, Wind& h,
                                    WorldSettings& i, BodySettings& j, BodyState& k, ClothReport& l,
                                    StepReport& m, ClothInfo& n, ShapeInfo& o) {
     [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7, a8] = a;
@@ -40,13 +40,15 @@ constexpr int lines_of() {
     static_assert(lines_of<FrameInertia>() == 3);
     [[maybe_unused]] auto& [e1, e2, e3, e4, e5, e6, e7, e8] = e;
     static_assert(lines_of<SelfCollision>() == 8);
-    [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18] =
-        f;
-    static_assert(lines_of<ClothSettings>() == 18);
+    [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18,
+                            f19, f20, f21, f22] = f;
+    static_assert(lines_of<ClothSettings>() == 22);
     [[maybe_unused]] auto& [g1, g2, g3, g4] = g;
     static_assert(lines_of<AirSource>() == 4);
-    [[maybe_unused]] auto& [h1, h2, h3, h4, h5, h6, h7, h8] = h;
-    static_assert(lines_of<Wind>() == 8);
+    [[maybe_unused]] auto& [p1, p2, p3, p4, p5, p6, p7] = p;
+    static_assert(lines_of<AirShelter>() == 7);
+    [[maybe_unused]] auto& [h1, h2, h3, h4, h5, h6, h7, h8, h9] = h;
+    static_assert(lines_of<Wind>() == 9);
     [[maybe_unused]] auto& [i1, i2, i3, i4, i5, i6, i7, i8] = i;
     static_assert(lines_of<WorldSettings>() == 7);  // but for the executor
     [[maybe_unused]] auto& [j1, j2, j3, j4, j5] = j;
@@ -261,6 +263,8 @@ static_assert(is(WEFT_MAP_MASS, Map::mass) && is(WEFT_MAP_PIN, Map::pin) && is(W
               is(WEFT_MAP_STIFFNESS, Map::stiffness));
 static_assert(is(WEFT_AIR_NONE, AirSourceKind::none) && is(WEFT_AIR_JET, AirSourceKind::jet) &&
               is(WEFT_AIR_BLAST, AirSourceKind::blast) && is(WEFT_AIR_WAKE, AirSourceKind::wake));
+static_assert(is(WEFT_SHELTER_NONE, AirShelterKind::none) && is(WEFT_SHELTER_BALL, AirShelterKind::ball) &&
+              is(WEFT_SHELTER_BOX, AirShelterKind::box));
 static_assert(is(WEFT_LOG_NOTE, LogLevel::note) && is(WEFT_LOG_WARNING, LogLevel::warning));
 static_assert(is(WEFT_DESCRIBE_TEXT, DescriptionFormat::text) &&
               is(WEFT_DESCRIBE_JSON, DescriptionFormat::json));

@@ -140,8 +140,8 @@ static void count_give_back(void* user) {
     ++*(int*)user;
 }
 
-// Bytes that are used where they lie are given back with the last cloth of theirs; those that had to be copied,
-// at once; refused ones, never.
+// Bytes that are used where they lie are given back with the last cloth of theirs; those that had to be
+// copied, at once; refused ones, never.
 static void lend(const void* saved, size_t bytes, const WeftClothInfo* info) {
     const size_t line = 64;
     char* const room = malloc(bytes + 2 * line);
@@ -155,7 +155,8 @@ static void lend(const void* saved, size_t bytes, const WeftClothInfo* info) {
     memcpy(aligned, saved, bytes);
     REFUSES(WEFT_MALFORMED_FILE, "",
             weft_cooked_cloth_load_in_place(aligned, bytes - 1, &lender, NULL, &loaded));
-    REFUSES(WEFT_INVALID_ARGUMENT, "lender", weft_cooked_cloth_load_in_place(aligned, bytes, NULL, NULL, &loaded));
+    REFUSES(WEFT_INVALID_ARGUMENT, "lender",
+            weft_cooked_cloth_load_in_place(aligned, bytes, NULL, NULL, &loaded));
     CHECK(given_back == 0);
     TAKES(weft_cooked_cloth_load_in_place(aligned, bytes, &lender, NULL, &loaded));
     TAKES(weft_cooked_cloth_info(loaded, &same));
@@ -272,6 +273,8 @@ static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
         skin[i].y = 1;
         skin[i].z = 0.1f * (float)(i / side);
     }
+    TAKES(weft_world_reset_cloth(world, other, places));
+    REFUSES(WEFT_INVALID_ARGUMENT, "0 positions", weft_world_reset_cloth(world, other, nothing));
     TAKES(weft_world_set_map(world, cloth, WEFT_MAP_FRICTION, values));
     REFUSES(WEFT_INVALID_ARGUMENT, "map", weft_world_set_map(world, cloth, 77, values));
     TAKES(weft_world_set_map(world, other, WEFT_MAP_LEASH, values));
@@ -407,7 +410,7 @@ uint64_t hash_of_host_in_c(const char* folder) {
     weft_mesh_destroy(mesh);
     weft_cooked_cloth_destroy(cooked);
     for (i = 0; i < steps; ++i) TAKES(weft_world_step(world, 1.0f / 60));
-    CHECK(executor_calls == steps + 2); /* and once to move the cloth, once to shift the origin */
+    CHECK(executor_calls == steps + 3); /* and once to move a cloth, to reset it, and to shift the origin */
     look_at(world, cloth, folder);
     hash = weft_world_state_hash(world);
     go_back(world);

@@ -49,7 +49,7 @@ static void vertices(const WeftWorld* world, WeftClothId cloth) {
 
 typedef struct Whole {
     float place[3], place_before[3], normal[3], normal_before[3], tangent[4];
-    float texcoord[2];
+    float texcoord[2], strain[2];
 } Whole;
 
 static WeftStream stream_at(void* first, const Whole* all, size_t count) {
@@ -75,6 +75,7 @@ static void all_streams(const WeftWorld* world, WeftClothId cloth) {
     streams.previous_positions = stream_at(all[0].place_before, all, 144);
     streams.normals = stream_at(all[0].normal, all, 144);
     streams.previous_normals = stream_at(all[0].normal_before, all, 144);
+    streams.strains = stream_at(all[0].strain, all, 144);
     if (view.texcoords != NULL) {
         streams.tangents = stream_at(all[0].tangent, all, 144);
         streams.texcoords = stream_at(all[0].texcoord, all, 144);
@@ -87,10 +88,37 @@ static void all_streams(const WeftWorld* world, WeftClothId cloth) {
         CHECK(all[i].normal[2] == view.normals[particle].z);
         CHECK(fabsf(length_of(all[i].normal_before) - 1) < 1e-5f &&
               all[i].normal_before[2] != all[i].normal[2]);
+        CHECK(fabsf(all[i].strain[0]) < 1 && all[i].strain[0] != 0 && all[i].strain[0] != all[i].strain[1]);
         if (view.texcoords == NULL) continue;
         CHECK(fabsf(length_of(all[i].tangent) - 1) < 1e-5f && fabsf(all[i].tangent[3]) == 1);
         CHECK(all[i].texcoord[0] == view.texcoords[i].x && all[i].texcoord[1] == view.texcoords[i].y);
     }
+}
+
+static void questions(const WeftWorld* world, WeftClothId cloth) {
+    const WeftVec3 up = {0, 1, 0};
+    const WeftClothId all = {0, 0};
+    WeftClothView view = {.struct_size = sizeof view};
+    WeftClothPoint point, touched[4];
+    WeftVec3 below, corner;
+    WeftBool found = 0;
+    size_t count = 0;
+    TAKES(weft_world_cloth(world, cloth, &view));
+    corner.x = view.positions[20].x;
+    corner.y = view.positions[20].y;
+    corner.z = view.positions[20].z;
+    below = corner;
+    below.y -= 10;
+    TAKES(weft_world_cast_ray(world, below, up, 100, cloth, &point, &found));
+    CHECK(found && point.cloth.index == cloth.index && point.triangle < view.triangle_count);
+    CHECK(fabsf(point.weights.x + point.weights.y + point.weights.z - 1) < 1e-5f);
+    TAKES(weft_world_closest_point(world, corner, 1, all, &point, &found));
+    CHECK(found && point.distance < 1e-5f);
+    TAKES(weft_world_triangles_in_ball(world, corner, 0.05f, cloth, touched, 4, &count));
+    CHECK(count >= 3);
+    TAKES(weft_world_cast_ray(world, below, up, 0.001f, all, &point, &found));
+    CHECK(!found);
+    REFUSES(WEFT_INVALID_ARGUMENT, "reach", weft_world_cast_ray(world, below, up, -1, all, &point, &found));
 }
 
 static void reports(const WeftWorld* world, WeftClothId cloth) {
@@ -123,6 +151,7 @@ void look_at(WeftWorld* world, WeftClothId cloth, const char* folder) {
     char file[512];
     vertices(world, cloth);
     all_streams(world, cloth);
+    questions(world, cloth);
     reports(world, cloth);
     TAKES(weft_world_debug_draw(world, &canvas, WEFT_DRAW_STRAIN | WEFT_DRAW_COSTS));
     CHECK(drawn.lines > 0 && drawn.texts > 0);

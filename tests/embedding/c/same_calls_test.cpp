@@ -91,6 +91,7 @@ Tape calls_in_cpp(const Given& given) {
     EXPECT_TRUE(world.set_frame(cloth, given.by).ok());
     EXPECT_TRUE(world.leave_frame(cloth).ok());
     EXPECT_TRUE(world.move_cloth(other, given.by).ok());
+    EXPECT_TRUE(world.reset_cloth(cloth, given.places).ok());
     EXPECT_TRUE(world.shift_origin({1, 2, 3}).ok());
 
     const ShapeId open = tape.note(world.add_shape(TriangleMesh{given.mesh, given.faces, false}).value());
@@ -214,6 +215,7 @@ Tape calls_in_c(const Given& given) {
     EXPECT_EQ(weft_world_set_frame(world, cloth, &by), WEFT_OK);
     EXPECT_EQ(weft_world_leave_frame(world, cloth), WEFT_OK);
     EXPECT_EQ(weft_world_move_cloth(world, other, &by), WEFT_OK);
+    EXPECT_EQ(weft_world_reset_cloth(world, cloth, input(given.places)), WEFT_OK);
     EXPECT_EQ(weft_world_shift_origin(world, {1, 2, 3}), WEFT_OK);
 
     WeftShape solid;

@@ -105,7 +105,10 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.frame_inertia.angular,
                              &s.frame_inertia.centrifugal,
                              &s.sleep_speed,
-                             &s.importance};
+                             &s.importance,
+                             &s.teleport_distance,
+                             &s.teleport_angle,
+                             &s.wind_scale};
     const std::uint32_t choice = random.below(std::size(fields) + 4);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;
@@ -322,6 +325,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     if (random.chance(0.3)) s.sleep_speed = fields.zero_or_more(1e-3f, 10);
     s.enabled = !random.chance(0.05);
     s.importance = random.one_of({0.0f, 1e-3f, 1.0f, 1e6f});
+    // No teleports by frames: they take pins along, and a script expects pins where it has moved them.
+    if (random.chance(0.2)) s.gravity_scale = random.between(-10, 10);
+    if (random.chance(0.2)) s.wind_scale = random.between(0, 10);
     if (random.chance(0.3)) s.collider_mask = random.below(4);
     if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
     if (drawn.answer == Answer::refused) spoil(random, s);
@@ -335,6 +341,19 @@ static void draw_sources(Random& random, Fields& fields, Wind& wind) {
                   .position = random.point(random.chance(0.1) ? 1e4f : 2.0f),
                   .velocity = random.chance(0.1) ? Vec3{} : fields.vector(20),
                   .radius = fields.positive(1e-2f, 10)};
+    }
+}
+
+static void draw_shelters(Random& random, Fields& fields, Wind& wind) {
+    for (AirShelter& shelter : wind.shelters) {
+        if (random.chance(0.6)) continue;
+        shelter = {.kind = static_cast<AirShelterKind>(random.below(3)),
+                   .position = random.point(random.chance(0.1) ? 1e4f : 2.0f),
+                   .half_extents = {fields.positive(1e-2f, 10), fields.positive(1e-2f, 10),
+                                    fields.positive(1e-2f, 10)},
+                   .radius = fields.positive(1e-2f, 10),
+                   .border = fields.positive(1e-2f, 10),
+                   .exposure = random.between(0, 1)};
     }
 }
 
@@ -352,6 +371,7 @@ Drawn<WorldSettings> random_world_settings(Random& random, int most_substeps) {
     s.wind.lift = fields.zero_or_more(0.1f, 3);
     s.wind.seed = static_cast<std::uint32_t>(random.next());
     if (random.chance(0.3)) draw_sources(random, fields, s.wind);
+    if (random.chance(0.3)) draw_shelters(random, fields, s.wind);
     s.max_speed = fields.positive(0.1f, 1000);
     s.substeps = random.whole(1, std::clamp(most_substeps, 1, 256));
     s.contact_reports = random.one_of({0, 0, 1, 100, 10000});

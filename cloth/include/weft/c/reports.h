@@ -30,7 +30,16 @@ typedef struct WeftVertexStreams {
     WeftStream normals, previous_normals;
     WeftStream tangents;
     WeftStream texcoords;
+    WeftStream strains;
 } WeftVertexStreams;
+
+// weft/query.h: ClothPoint
+typedef struct WeftClothPoint {
+    WeftClothId cloth;
+    uint32_t triangle;
+    WeftVec3 weights, position, normal;
+    float distance;
+} WeftClothPoint;
 
 // weft/cooked_cloth.h: ClothInfo
 typedef struct WeftClothInfo {

@@ -97,6 +97,8 @@ typedef struct WeftClothSettings {
     float sleep_speed;
     WeftFrameInertia frame_inertia;
     float importance;
+    float teleport_distance, teleport_angle;
+    float gravity_scale, wind_scale;
 } WeftClothSettings;
 
 // weft/settings.h: AirSource
@@ -107,6 +109,16 @@ typedef struct WeftAirSource {
     float radius;
 } WeftAirSource;
 
+// weft/settings.h: AirShelter
+enum { WEFT_SHELTER_NONE, WEFT_SHELTER_BALL, WEFT_SHELTER_BOX };
+typedef struct WeftAirShelter {
+    int32_t kind;  // WEFT_SHELTER_...
+    WeftVec3 position;
+    WeftRotation rotation;
+    WeftVec3 half_extents;
+    float radius, border, exposure;
+} WeftAirShelter;
+
 // weft/settings.h: Wind
 typedef struct WeftWind {
     WeftVec3 velocity;
@@ -114,6 +126,7 @@ typedef struct WeftWind {
     float air_density, drag, lift;
     uint32_t seed;
     WeftAirSource sources[8];
+    WeftAirShelter shelters[8];
 } WeftWind;
 
 // weft/executor.h. `run` calls body(context, block) once for each block and returns when all are done.

@@ -1,0 +1,30 @@
+// Puts a cloth into a given pose, at rest.
+
+#include <algorithm>
+
+#include "cloth/simulation/simulation.h"
+
+namespace weft {
+
+void Simulation::reset(Cloth& cloth, std::span<const Vec3> positions) {
+    ClothState& now = cloth.state;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+        set_xyz(now.positions[cloth.model.vertex_to_particle[v]], to_vector(positions[v]));
+    for (Pin& pin : now.pins) pin.target = xyz(now.positions[pin.particle]);
+    for (const Attachment& attached : cloth.attached) {
+        const BodySlot* const body = state.bodies.find(attached.id);
+        if (body != nullptr && now.positions[attached.particle].w > 0)
+            set_xyz(now.positions[attached.particle], pose_of(body->state) * attached.own);
+    }
+    now.skin.stand_still();
+    if (now.frame) *now.frame = {.pose = now.frame->target, .target = now.frame->target};
+    cloth.stand_still();
+    cloth.erase_contact_memory();
+    std::ranges::fill(now.tangles.span(), TangleMemory{});
+    now.halved = 0;
+    cloth.wake();
+    update_normals(parallel, cloth);
+    cloth.extent = survey(parallel, now, cloth.partial_surveys.span());
+}
+
+}  // namespace weft
