@@ -127,7 +127,8 @@ TEST_P(ResetCloth, ForgetsWhatWasBefore) {
 TEST(ResetClothTo, APoseThatDoesNotCrossNeverCrosses) {
     World world = World::create({}).value();
     const Mesh mesh = hanging(20, 20, 0.5f);
-    const ClothId cloth = world.add_cloth(mesh, {.self_collision = {.method = SelfCollisionMethod::contact}}).value();
+    const ClothId cloth =
+        world.add_cloth(mesh, {.self_collision = {.method = SelfCollisionMethod::contact}}).value();
     ASSERT_TRUE(world.add_collider({.shape = Plane{{0, 1, 0}, 0}, .friction = 0.3f}).ok());
     for (int round = 0; round < 2; ++round) {
         for (int k = 0; k < 60; ++k) {
