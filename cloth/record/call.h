@@ -48,7 +48,9 @@ enum class Call : std::uint32_t {
     set_importance,
     choose,  ///< the rungs that the next step changes by its budget
     recut_cloth,
-    last = recut_cloth,
+    stitch,
+    unstitch,
+    last = unstitch,
 };
 
 /// The call's name in the interface.
@@ -91,7 +93,9 @@ enum class Call : std::uint32_t {
                                      "add_cloth",
                                      "set_importance",
                                      "what the budget chose",
-                                     "recut_cloth"};
+                                     "recut_cloth",
+                                     "stitch",
+                                     "unstitch"};
     static_assert(std::size(names) == static_cast<std::size_t>(Call::last) + 1);
     return names[static_cast<std::size_t>(call)];
 }

@@ -21,13 +21,14 @@
 #include "weft/cloth_id.h"
 #include "weft/maps.h"
 #include "weft/mesh.h"
+#include "weft/seam.h"
 
 namespace weft {
 
 static_assert(std::endian::native == std::endian::little, "recordings are copied as they lie in memory");
 
 /// Raised with each change of the format below, fields.h included.
-inline constexpr std::uint32_t recording_version = 4;
+inline constexpr std::uint32_t recording_version = 5;
 inline constexpr std::array<char, 8> recording_mark = {'W', 'E', 'F', 'T', 'R', 'E', 'C', 'D'};
 
 struct RecordingHead {
@@ -74,7 +75,7 @@ concept Plain = std::same_as<T, Vec2> || std::same_as<T, Vec3> || std::same_as<T
 /// Ids, which a replay translates, since they differ between Worlds.
 template <class T>
 concept IdOfWorld = std::same_as<T, ClothId> || std::same_as<T, ShapeId> || std::same_as<T, ColliderId> ||
-    std::same_as<T, BodyId>;
+    std::same_as<T, BodyId> || std::same_as<T, SeamId>;
 
 /// Writes values one behind the other.
 class RecordWriter {

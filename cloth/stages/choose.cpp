@@ -19,7 +19,7 @@ constexpr float nearest = 0.1f;
 /// A cloth may take long steps where nothing that it meets or wears changes before one ends.
 bool can_stride(const Simulation& world, const Cloth& cloth) {
     return !world.body_stage && !cloth.is_disturbed && !cloth.has_features() && !cloth.state.frame &&
-           !cloth.worn.has_limits() && cloth.attached.empty();
+           !cloth.worn.has_limits() && cloth.attached.empty() && cloth.seams.empty();
 }
 
 void choose_rungs(Simulation& world) {

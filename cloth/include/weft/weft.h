@@ -34,6 +34,7 @@
 #include "weft/profile.h"
 #include "weft/recording.h"
 #include "weft/report.h"
+#include "weft/seam.h"
 #include "weft/self_collision.h"
 #include "weft/settings.h"
 #include "weft/shapes.h"

@@ -8,6 +8,7 @@
 
 #include "cloth/bodies/body_coupling.h"
 #include "cloth/equation/pair_rows.h"
+#include "cloth/equation/seam_rows.h"
 #include "cloth/equation/sparse/vectors.h"
 
 namespace weft {
@@ -99,6 +100,9 @@ class Passes {
     [[nodiscard]] bool has_pairs(const PassMember& member) const {
         return pairs_ != nullptr && member.step.equation.pairs != nullptr;
     }
+    /// visit(seam) for each seam of the members, once.
+    template <class Visit>
+    void for_each_seam(const Visit& visit) const;
     /// work(member, threads): many members run side by side, few one after the other with all threads.
     template <class Work>
     void for_each_member(const Work& work);
@@ -119,6 +123,8 @@ class Passes {
     template <class With>
     Products multiply(Vector x, Vector product, const With& with);
     double couple(Vector x, Vector product);
+    void linearise_seams();
+    double couple_seams(Vector x, Vector product);
     void move(const Coefficients& c);
     [[nodiscard]] bool touches_what_is_held() const;
     void keep_momentum();
@@ -164,6 +170,13 @@ SolveResult Passes::operator()() {
     let_bodies_follow();
     const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
     return {.unsolved = left_ > tolerated, .is_rough = left_ > rough * ends.energy};
+}
+
+template <class Visit>
+void Passes::for_each_seam(const Visit& visit) const {
+    for (const PassMember& member : members_)
+        for (SeamRows* seam : member.step.equation.seams)
+            if (seam->is_led_by(member.step.equation.first)) visit(*seam);
 }
 
 template <class Work>
@@ -241,9 +254,12 @@ void Passes::linearise() {
                 pairs_->take(parallel_, member.step.equation.first, member.step.velocities);
         pairs_->linearise(parallel_);
     }
+    linearise_seams();
     if (is_first)
-        for (const PassMember& member : members_)
-            member.levels.list_pairs(member.step.equation.pairs, member.step.equation.first);
+        for (const PassMember& member : members_) {
+            const StepEquation& equation = member.step.equation;
+            member.levels.list_pairs(equation.pairs, equation.seams, equation.first);
+        }
     else
         let_bodies_follow();
     for_each_member([&](const PassMember& member, Parallel& threads) {
@@ -254,6 +270,13 @@ void Passes::linearise() {
         member.levels.build(threads, member.system);
     });
     eliminate_bodies();
+}
+
+void Passes::linearise_seams() {
+    for (const PassMember& member : members_)
+        for (SeamRows* seam : member.step.equation.seams)
+            seam->take(member.step.equation.first, member.step.velocities);
+    for_each_seam([](SeamRows& seam) { seam.linearise(); });
 }
 
 void Passes::eliminate_bodies() {
@@ -349,9 +372,24 @@ Products Passes::multiply(Vector x, Vector product, const With& with) {
     return sum;
 }
 
-/// Adds the terms of features and bodies to the product, unless it is null. Returns their dot product with x.
-double Passes::couple(Vector x, Vector product) {
+/// Adds the terms of seams to the product, unless it is null. Returns their dot product with x.
+double Passes::couple_seams(Vector x, Vector product) {
+    for (const PassMember& member : members_)
+        for (SeamRows* seam : member.step.equation.seams)
+            seam->take(member.step.equation.first, std::as_const(member.vectors.*x).span());
     double sum = 0;
+    for_each_seam([&](SeamRows& seam) { sum += seam.multiply(); });
+    if (product == nullptr) return sum;
+    for (const PassMember& member : members_)
+        for (const SeamRows* seam : member.step.equation.seams)
+            seam->add_products(member.step.equation.first, (member.vectors.*product).span());
+    return sum;
+}
+
+/// Adds the terms of seams, features and bodies to the product, unless it is null. Returns their dot product
+/// with x.
+double Passes::couple(Vector x, Vector product) {
+    double sum = couple_seams(x, product);
     if (pairs_ != nullptr) {
         for (const PassMember& member : members_)
             if (has_pairs(member))
@@ -392,8 +430,12 @@ void Passes::move(const Coefficients& c) {
     });
 }
 
-/// Whether a pair that pushes has a corner that is not free: a piece held in whole shows up only so.
+/// Whether a stitch, or a pair that pushes, has a corner that is not free: a piece held in whole shows up
+/// only so.
 bool Passes::touches_what_is_held() const {
+    bool any = false;
+    for_each_seam([&](const SeamRows& seam) { any = any || seam.joins_what_is_held(); });
+    if (any || pairs_ == nullptr) return any;
     const auto is_free = [&](std::uint32_t particle) {
         return std::ranges::any_of(members_, [&](const PassMember& member) {
             const StepEquation& equation = member.step.equation;
@@ -401,7 +443,6 @@ bool Passes::touches_what_is_held() const {
             return equation.pairs != nullptr && i < equation.positions.size() && equation.positions[i].w > 0;
         });
     };
-    bool any = false;
     pairs_->for_each_active([&](const PairRows::ActivePair& active) {
         any = any || !std::ranges::all_of(active.pair.corners, is_free);
     });
@@ -409,7 +450,7 @@ bool Passes::touches_what_is_held() const {
 }
 
 // Free pieces keep their momentum but for gravity and air, whatever their features do to one another. All
-// pieces that touch count as one.
+// pieces that touch or are joined count as one.
 void Passes::keep_momentum() {
     const Vector3 origin = xyz(first_.equation.base_positions[0]);
     PieceSums touching;
@@ -418,7 +459,7 @@ void Passes::keep_momentum() {
         member.pieces.weigh(member.step.equation, member.step.velocities, origin);
         is_held |= member.pieces.add_touching(touching);
     }
-    is_held = is_held || (pairs_ != nullptr && touches_what_is_held());
+    is_held = is_held || touches_what_is_held();
     const RigidChange of_touching = is_held ? RigidChange() : RigidChange(touching, first_.equation.gamma);
     for (const PassMember& member : members_)
         member.pieces.move(member.step.equation, of_touching, origin, member.step.velocities);
