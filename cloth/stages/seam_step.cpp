@@ -8,10 +8,6 @@ namespace weft {
 
 namespace {
 
-/// A seam's stiffness over that of its cloths' fabric, if it has none of its own: the gap of a seam of equal
-/// stiffness would be as the extension of a cell.
-constexpr float stiffness_per_fabric = 4;
-
 const Cloth& cloth_of(const Simulation& world, ClothId id) {
     return **world.cloths.find(id);
 }
@@ -32,8 +28,8 @@ float least_length(const Cloth& a, const Cloth& b) {
 
 SeamRows::Law law_of(const SeamSettings& settings, const Cloth& a, const Cloth& b, float gamma) {
     const Fabric &of_a = a.settings.fabric, &of_b = b.settings.fabric;
-    const float stiffest = std::max({of_a.warp, of_a.weft, of_b.warp, of_b.weft});
-    return {.stiffness = settings.stiffness > 0 ? settings.stiffness : stiffness_per_fabric * stiffest,
+    const float stiffest = std::max({1.0f, of_a.warp, of_a.weft, of_b.warp, of_b.weft});
+    return {.stiffness = settings.stiffness > 0 ? settings.stiffness : stiffest,
             .rest_length = std::max(settings.rest_length, least_length(a, b)),
             .break_force = settings.break_force,
             .gamma = gamma};

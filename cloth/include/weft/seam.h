@@ -23,9 +23,9 @@ struct SeamSettings {
     float rest_length = 0;
     /// Tension at which a stitch breaks, for good [N], above 0; infinity, the default: never.
     float break_force = std::numeric_limits<float>::infinity();
-    /// Force of a stitch over its extension [N/m], 1e-3 to 1e7; 0, the default: four times the greatest
-    /// Fabric::warp or weft of its cloths, so that a seam gives less than a cell of the fabric beside it.
-    /// Much stiffer stitches take more Multilevel::passes.
+    /// Force of a stitch over its extension [N/m], 1e-3 to 1e7; 0, the default: the greatest Fabric::warp or
+    /// weft of its cloths, at least 1: a stitch gives as much as a cell of the fabric beside it. By stiffer
+    /// stitches motion passes more slowly from cloth to cloth, unless Multilevel::passes are raised as well.
     float stiffness = 0;
 };
 
