@@ -166,6 +166,27 @@ WeftResult weft_world_detach(WeftWorld* world, WeftClothId cloth, const uint32_t
     });
 }
 
+WeftResult weft_world_stitch(WeftWorld* world, WeftClothId a, const uint32_t* vertices_a, WeftClothId b,
+                             const uint32_t* vertices_b, size_t count, const WeftSeamSettings* settings,
+                             WeftSeamId* id) {
+    return on(world, {{id, "id"}}, [&](weft::World& of) -> weft::Result<void> {
+        const auto of_a = indices(vertices_a, count), of_b = indices(vertices_b, count);
+        if (!of_a) return of_a.error();
+        if (!of_b) return of_b.error();
+        const auto given = take<weft::SeamSettings>("settings", settings);
+        if (!given) return given.error();
+        return put(of.stitch(id_of(a), *of_a, id_of(b), *of_b, *given), id);
+    });
+}
+WeftResult weft_world_unstitch(WeftWorld* world, WeftSeamId id) {
+    return on(world, [&](weft::World& of) { return of.unstitch(std::bit_cast<weft::SeamId>(id)); });
+}
+WeftResult weft_world_seam_info(const WeftWorld* world, WeftSeamId id, WeftSeamInfo* info) {
+    return on(world, [&](const weft::World& of) {
+        return hand("info", of.seam_info(std::bit_cast<weft::SeamId>(id)), info);
+    });
+}
+
 WeftResult weft_world_move_cloth(WeftWorld* world, WeftClothId id, const WeftTransform* by) {
     return on(world, [&](weft::World& of) { return of.move_cloth(id_of(id), transform_of(by)); });
 }

@@ -24,6 +24,7 @@ ClothId like(WeftClothId);
 ColliderId like(WeftColliderId);
 ShapeId like(WeftShapeId);
 BodyId like(WeftBodyId);
+SeamId like(WeftSeamId);
 template <class C, class Of>
 concept Alike = requires(const C& c) {
     { like(c) } -> std::same_as<Of>;

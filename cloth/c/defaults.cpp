@@ -69,6 +69,9 @@ void weft_body_settings_init(WeftBodySettings* settings, size_t struct_size) {
 void weft_body_state_init(WeftBodyState* state, size_t struct_size) {
     init<weft::BodyState>(state, struct_size);
 }
+void weft_seam_settings_init(WeftSeamSettings* settings, size_t struct_size) {
+    init<weft::SeamSettings>(settings, struct_size);
+}
 void weft_sheet_settings_init(WeftSheetSettings* settings, size_t struct_size) {
     init<weft::SheetSettings>(settings, struct_size);
 }

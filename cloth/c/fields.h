@@ -38,6 +38,10 @@ struct StandsFor<WeftBodySettings> : std::type_identity<BodySettings> {};
 template <>
 struct StandsFor<WeftBodyState> : std::type_identity<BodyState> {};
 template <>
+struct StandsFor<WeftSeamSettings> : std::type_identity<SeamSettings> {};
+template <>
+struct StandsFor<WeftSeamInfo> : std::type_identity<SeamInfo> {};
+template <>
 struct StandsFor<WeftClothReport> : std::type_identity<ClothReport> {};
 template <>
 struct StandsFor<WeftStepReport> : std::type_identity<StepReport> {};

@@ -87,6 +87,10 @@ class FeatureContact {
     [[nodiscard]] bool may_cross() const noexcept { return tangles_.any() || is_uncertain_; }
     [[nodiscard]] std::span<const TangleMemory> memory(std::size_t body);
     [[nodiscard]] std::uint32_t first(std::size_t body) const { return bodies_[body].first; }
+    /// Number of particles of all bodies, with padding.
+    [[nodiscard]] std::uint32_t particles() const noexcept {
+        return static_cast<std::uint32_t>(start_.size());
+    }
 
     /// Sets a body's base positions in the equation; make_rows() comes after all bodies' bases.
     void set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions);

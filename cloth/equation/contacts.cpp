@@ -305,7 +305,6 @@ void Contacts::add_pairs(const BlockRange& range) {
         std::copy_n(of_colliders_.data() + i, Stencil::lanes, rows_.impulses.data() + i);
         std::fill_n(rows_.in_relaxation.data() + std::size_t{6} * i, 6 * Stencil::lanes, 0.0f);
     }
-    if (pairs_ == nullptr || pairs_->empty()) return;
     const auto add = [&](const PairRows::AtParticle& at) {
         const std::uint32_t i = at.particle - first_, group = i / Stencil::lanes;
         const std::uint32_t start = group * Stencil::lanes;
@@ -320,7 +319,10 @@ void Contacts::add_pairs(const BlockRange& range) {
         for (std::uint32_t k = 0; k < 6; ++k) rows_.in_relaxation[lane_index(i, k, 6)] += entries[k];
         rows_.impulses[i] = to_vec4(xyz(rows_.impulses[i]) + at.impulse, 0);
     };
-    pairs_->for_each_particle(first_ + range.begin, first_ + range.end, add);
+    if (pairs_ != nullptr && !pairs_->empty())
+        pairs_->for_each_particle(first_ + range.begin, first_ + range.end, add);
+    for (const SeamRows* seam : seams_)
+        seam->for_each_particle(first_ + range.begin, first_ + range.end, add);
 }
 
 std::uint32_t Contacts::pressing() const noexcept {

@@ -9,6 +9,7 @@
 
 #include "cloth/equation/moving_body.h"
 #include "cloth/equation/pair_rows.h"
+#include "cloth/equation/seam_rows.h"
 #include "cloth/equation/sparse/stencil.h"
 #include "cloth/equation/step_equation.h"
 #include "cloth/state/held_contacts.h"
@@ -81,7 +82,7 @@ class OwnSurfaces {
 /// resting cloth keeps its support (augmented Lagrangian: Hestenes 1969, Powell 1969).
 class Contacts {
   public:
-    /// `with_pairs`: the cloth's features meet others.
+    /// `with_pairs`: the cloth's features meet others, or it has seams.
     explicit Contacts(std::uint32_t particles, bool with_pairs = false);
 
     /// Begins a substep with these motions of colliders, the cloth's side of contact, and what the last
@@ -93,6 +94,7 @@ class Contacts {
         own_ = own;
         held_ = &held;
         pairs_ = nullptr;
+        seams_ = {};
         rows_.touching = held.touching.span();
         passes_ = 0;
         body_buffers_ = nullptr;
@@ -104,10 +106,11 @@ class Contacts {
     /// for loose ones.
     void carry(std::span<const MovingBody> bodies, std::span<const Attachment> attached,
                std::span<const float> areas, BodyBuffers& buffers);
-    /// After begin(): the rows include these pairs, too, which number the cloth's particles from `first` on,
-    /// a multiple of 16. The caller linearises the pairs before each begin_pass().
-    void join(const PairRows& pairs, std::uint32_t first) {
-        pairs_ = &pairs;
+    /// After begin(): the rows include these pairs, or none if null, and these seams. Both number the cloth's
+    /// particles from `first` on, a multiple of 16. The caller linearises them before each begin_pass().
+    void join(const PairRows* pairs, std::span<SeamRows* const> seams, std::uint32_t first) {
+        pairs_ = pairs;
+        seams_ = seams;
         first_ = first;
         rows_.touching = touching_.span();
     }
@@ -195,6 +198,7 @@ class Contacts {
     AlignedBuffer<Vec4> of_colliders_;       // impulses of colliders alone, with pairs; else empty
     AlignedBuffer<std::uint32_t> touching_;  // rows_.touching, with pairs; else empty
     const PairRows* pairs_ = nullptr;
+    std::span<SeamRows* const> seams_;
     std::uint32_t first_ = 0;
     HeldContacts* held_ = nullptr;
     std::span<const ColliderMotion> colliders_;

@@ -13,6 +13,7 @@ namespace weft {
 class BodyCoupling;
 class Contacts;
 class PairRows;
+class SeamRows;
 
 /// Forces on the particles besides the fabric's.
 struct ExternalForces {
@@ -40,10 +41,11 @@ struct StepEquation {
     ExternalForces external;
     Contacts* contacts = nullptr;    ///< of the cloth with colliders and features; null: none
     PairRows* pairs = nullptr;       ///< of features of all bodies that are solved together, or null
-    std::uint32_t first = 0;         ///< the cloth's first particle among these bodies'
+    std::uint32_t first = 0;         ///< the cloth's first particle among these bodies', and in seams
     BodyCoupling* bodies = nullptr;  ///< rigid bodies that the cloth may move, or null
     std::span<const Vec4> velocity_changes{};  ///< which BDF2 extrapolates; empty: none
     float divisor = 3;                         ///< of velocity_changes in v_base
+    std::span<SeamRows* const> seams{};        ///< of the cloth
 };
 
 /// The fabric's rigidity, limited so that rounding does not hide the particles' mass. Bending's rows sum to 0

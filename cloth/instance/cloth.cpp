@@ -42,11 +42,6 @@ float distance_of(const ClothModel& model, const SelfCollision& of) {
     return of.distance > 0 ? of.distance : part * model.info.mean_edge;
 }
 
-/// Capacity for the pairs of features that are in the equation.
-std::size_t pairs_in_equation(const ClothModel& model, const SelfCollision& of) {
-    return has_pairs(of) ? FeatureContact::room_for_pairs(model.particle_count) : 0;
-}
-
 /// The mesh of features, with the rest positions by which searches pass over calm parts: of a grid its flat
 /// pattern, by its first row and column; of other meshes the positions at which the cloth started.
 std::shared_ptr<const ContactMesh> mesh_of_features(const ClothModel& model) {
@@ -196,7 +191,7 @@ void Cloth::apply_to_model(const ClothSettings& changed, const MakeRoom& make_ro
         new_rest_neighbours = std::move(found).value();
     }
     std::optional<ContactBuffers> new_contacts = make_contacts(has_colliders_, changed, with);
-    if (has_pairs(self_collision)) reserve_pairs(other_solver ? *other_solver : *solver);
+    if (pairs_in_equation(self_collision) > 0) reserve_pairs(other_solver ? *other_solver : *solver);
     if (!other_solver) solver->make_own(changed);
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
                               self_collision.mask != settings.self_collision.mask;
@@ -258,10 +253,9 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
         state.tangles = std::move(made->tangles);
         state.may_cross = 1;
     }
-    if (has_zones(of)) solver->reserve_pairs(0);
+    if (pairs_in_equation(of) == 0) solver->reserve_pairs(0);
     if (weft::has_features(of)) return;
     contact_mesh.reset();
-    solver->reserve_pairs(0);
     state.tangles = {};
     state.may_cross = state.halved = 0;
     feature_counts = {};
@@ -269,7 +263,7 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
 
 void Cloth::lay_out(Scratch& scratch) {
     if (history) history->lay_out(scratch, model.particle_count);
-    solver->lay_out(scratch, pairs_in_equation(model, settings.self_collision));
+    solver->lay_out(scratch, pairs_in_equation(settings.self_collision));
 }
 
 void Cloth::take_solver(std::unique_ptr<Solver>&& made) {
@@ -282,7 +276,7 @@ std::size_t Cloth::scratch_of_steps(Solver& with, bool second_order, const SelfC
                                     const ContactMesh* mesh) const {
     Scratch scratch;
     if (second_order) History().lay_out(scratch, model.particle_count);
-    with.lay_out(scratch, pairs_in_equation(model, of));
+    with.lay_out(scratch, pairs_in_equation(of));
     return scratch.bytes() + weft::scratch_bytes(weft::has_features(of) ? mesh : nullptr, has_zones(of));
 }
 
@@ -290,13 +284,24 @@ std::size_t Cloth::scratch_of_steps(Solver& with, bool second_order, const SelfC
 void Cloth::reserve_pairs(Solver& with) const {
     or_undo([&] { with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count)); },
             [&] {
-                if (!has_features() || has_zones(settings.self_collision)) with.reserve_pairs(0);
+                if (pairs_in_equation(settings.self_collision) == 0) with.reserve_pairs(0);
             });
+}
+
+bool Cloth::has_pair_rows(const ClothSettings& of, const Solver& with) const noexcept {
+    return with.joins() && pairs_in_equation(of.self_collision) > 0;
+}
+
+std::size_t Cloth::pairs_in_equation(const SelfCollision& of) const noexcept {
+    std::size_t count =
+        of.method == SelfCollisionMethod::contact ? FeatureContact::room_for_pairs(model.particle_count) : 0;
+    for (const SeamRows* seam : seams) count += seam->capacity();
+    return count;
 }
 
 std::optional<ContactBuffers> Cloth::make_contacts(bool any_colliders, const ClothSettings& of,
                                                    const Solver& with) const {
-    const bool with_pairs = has_pairs(of.self_collision) && with.joins();
+    const bool with_pairs = has_pair_rows(of, with);
     const bool with_surfaces = (any_colliders && meets_in_equation(of)) || worn.has_limits();
     const bool needed = with.is_implicit() && (with_surfaces || with_pairs);
     if (!needed || (contacts && contacts->has_pairs() == with_pairs)) return std::nullopt;
@@ -310,11 +315,41 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         contacts = std::move(made->contacts);
         if (!goes_on) state.held = std::move(made->held);
     }
-    const bool with_pairs = has_features() && !has_zones(settings.self_collision) && solver->joins();
+    const bool has_pairs = has_pair_rows(settings, *solver);
     const bool with_surfaces = (any_colliders && meets_in_equation(settings)) || worn.has_limits();
     if (solver->is_implicit() && (with_surfaces || with_pairs)) return;
     contacts.reset();
     state.held = {};
+}
+
+SeamBuffers Cloth::make_seams(std::vector<SeamRows*>&& list) {
+    std::swap(seams, list);
+    SeamBuffers made;
+    const auto swap_back = [&] { std::swap(seams, list); };
+    or_undo(
+        [&] {
+            if (pairs_in_equation(settings.self_collision) > 0) reserve_pairs(*solver);
+            made.contacts = make_contacts(has_colliders_);
+            made.scratch_bytes =
+                scratch_of_steps(*solver, history.has_value(), settings.self_collision, contact_mesh.get());
+        },
+        swap_back);
+    swap_back();
+    made.seams = std::move(list);
+    return made;
+}
+
+void Cloth::take_seams(SeamBuffers&& made) noexcept {
+    seams = std::move(made.seams);
+    scratch_bytes = made.scratch_bytes;
+    if (pairs_in_equation(settings.self_collision) == 0) solver->reserve_pairs(0);
+    take_contacts(std::move(made.contacts), has_colliders_);
+}
+
+void Cloth::drop_seam(const SeamRows* gone) noexcept {
+    std::erase(seams, gone);
+    take_seams({std::move(seams), std::nullopt,
+                scratch_of_steps(*solver, history.has_value(), settings.self_collision, contact_mesh.get())});
 }
 
 ContactCloth Cloth::as_body() const {

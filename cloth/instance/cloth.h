@@ -87,6 +87,13 @@ struct FeatureBuffers {
     AlignedBuffer<TangleMemory> tangles;
 };
 
+/// The seams of a cloth, and what they need.
+struct SeamBuffers {
+    std::vector<SeamRows*> seams;
+    std::optional<ContactBuffers> contacts;
+    std::size_t scratch_bytes = 0;
+};
+
 /// Predicted motion of a cloth with features in a substep.
 struct ExpectedWay {
     Bounds box{};        ///< swept range of its particles, enlarged by the contact radius
@@ -125,10 +132,6 @@ struct ShownCloth {
 /// Whether impact zones resolve these features, which then are not in the equation.
 [[nodiscard]] inline bool has_zones(const SelfCollision& settings) {
     return settings.method == SelfCollisionMethod::impact_zones;
-}
-/// Whether pairs of these features are in the equation.
-[[nodiscard]] inline bool has_pairs(const SelfCollision& settings) {
-    return settings.enabled && settings.method == SelfCollisionMethod::contact;
 }
 
 /// Whether colliders are in the equation, provided that the solver is implicit.
@@ -193,6 +196,15 @@ struct Cloth {
     void take_collider_buffers(ColliderBuffers&& made) noexcept {
         part_start = std::move(made.part_start);
         whole = std::move(made.whole);
+    }
+
+    /// The buffers for these seams in place of its own, in the order of ids. Precondition: can_join().
+    [[nodiscard]] SeamBuffers make_seams(std::vector<SeamRows*>&& list);
+    void take_seams(SeamBuffers&& made) noexcept;
+    void drop_seam(const SeamRows* gone) noexcept;
+    /// Whether its method and its contact allow it in an equation with other cloths.
+    [[nodiscard]] bool can_join() const noexcept {
+        return solver->joins() && !has_zones(settings.self_collision);
     }
 
     /// Make this cloth the successor of another, `sources` naming for each particle its source there. First
@@ -271,8 +283,11 @@ struct Cloth {
     std::optional<RestNeighbours> rest_neighbours;  ///< only with self-collision on
     std::optional<Contacts> contacts;  ///< only of implicit solvers, with colliders, worn limits or features
     std::shared_ptr<const ContactMesh> contact_mesh;
-    bool shares_contact_mesh = false;  ///< the mesh is the CookedCloth's
-    ExpectedWay expected;              ///< only with features: motion in the present substep
+    bool shares_contact_mesh = false;        ///< the mesh is the CookedCloth's
+    ExpectedWay expected;                    ///< only with features: motion in the present substep
+    std::vector<SeamRows*> seams;            ///< by id; the World owns them
+    std::uint32_t place = 0;                 ///< among the cloths that the step takes; see join_seams()
+    const StepEquation* equation = nullptr;  ///< while its set is solved
     std::uint32_t group = 0;        ///< in the present substep: place of the group's first cloth in the step
     std::size_t scratch_bytes = 0;  ///< bytes that its steps take of the World's scratch
 
@@ -368,6 +383,10 @@ struct Cloth {
     void take_features(std::optional<FeatureBuffers>&& made, const SelfCollision& of) noexcept;
     [[nodiscard]] std::unique_ptr<Solver> solver_for(const ClothSettings& changed) const;
     void reserve_pairs(Solver& with) const;
+    /// Whether an equation of these settings has rows of pairs of features, or of stitches.
+    [[nodiscard]] bool has_pair_rows(const ClothSettings& of, const Solver& with) const noexcept;
+    /// Capacity for the pairs of features and the stitches that are in the equation.
+    [[nodiscard]] std::size_t pairs_in_equation(const SelfCollision& of) const noexcept;
     void change_pins(std::vector<Pin>&& pins);
     void start_at_rest();
     void set_inverse_masses();

@@ -23,7 +23,7 @@ void Cloth::set_map(Map map, AlignedBuffer<float>&& values, const MakeRoom& make
 void Cloth::remake_solver(const MakeRoom& make_room) {
     std::unique_ptr<Solver> made = make_solver(model, settings, state.positions.span());
     made->reserve_pins(state.pins.size());
-    if (has_pairs(settings.self_collision))
+    if (pairs_in_equation(settings.self_collision) > 0)
         made->reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
     const std::size_t bytes =
         scratch_of_steps(*made, history.has_value(), settings.self_collision, contact_mesh.get());

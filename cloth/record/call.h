@@ -49,7 +49,9 @@ enum class Call : std::uint32_t {
     choose,  ///< the rungs that the next step changes by its budget
     recut_cloth,
     reset_cloth,
-    last = reset_cloth,
+    stitch,
+    unstitch,
+    last = unstitch,
 };
 
 /// The call's name in the interface.
@@ -93,7 +95,9 @@ enum class Call : std::uint32_t {
                                      "set_importance",
                                      "what the budget chose",
                                      "recut_cloth",
-                                     "reset_cloth"};
+                                     "reset_cloth",
+                                     "stitch",
+                                     "unstitch"};
     static_assert(std::size(names) == static_cast<std::size_t>(Call::last) + 1);
     return names[static_cast<std::size_t>(call)];
 }

@@ -21,6 +21,7 @@
 #include "weft/cloth_id.h"
 #include "weft/maps.h"
 #include "weft/mesh.h"
+#include "weft/seam.h"
 
 namespace weft {
 
@@ -74,7 +75,7 @@ concept Plain = std::same_as<T, Vec2> || std::same_as<T, Vec3> || std::same_as<T
 /// Ids, which a replay translates, since they differ between Worlds.
 template <class T>
 concept IdOfWorld = std::same_as<T, ClothId> || std::same_as<T, ShapeId> || std::same_as<T, ColliderId> ||
-    std::same_as<T, BodyId>;
+    std::same_as<T, BodyId> || std::same_as<T, SeamId>;
 
 /// Writes values one behind the other.
 class RecordWriter {

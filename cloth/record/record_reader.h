@@ -35,7 +35,7 @@ class ReplayedIds {
     template <class Id>
     using Of = std::unordered_map<std::uint64_t, Id>;
     // The maps differ in their value type, by which std::get finds them.
-    std::tuple<Of<ClothId>, Of<ShapeId>, Of<ColliderId>, Of<BodyId>> all_;
+    std::tuple<Of<ClothId>, Of<ShapeId>, Of<ColliderId>, Of<BodyId>, Of<SeamId>> all_;
 
     template <class Id>
     [[nodiscard]] static std::uint64_t key(Id id) {

@@ -100,6 +100,9 @@ Result<void> Replayer::make(Call call, std::span<const std::byte> given) {
         case Call::attach:
         case Call::detach:
             return change_body(call, reader);
+        case Call::stitch:
+        case Call::unstitch:
+            return change_seam(call, reader);
         default:
             return change_cloth(call, reader);
     }
@@ -234,6 +237,15 @@ Result<void> Replayer::change_body(Call call, RecordReader& reader) {
         default:
             return no_such_call();
     }
+}
+
+Result<void> Replayer::change_seam(Call call, RecordReader& reader) {
+    using Vertices = std::span<const std::uint32_t>;
+    if (call == Call::unstitch) return with<SeamId>(reader, [&](SeamId id) { return world_->unstitch(id); });
+    return adding<SeamId, ClothId, Vertices, ClothId, Vertices, SeamSettings>(
+        reader, [&](ClothId a, Vertices of_a, ClothId b, Vertices of_b, const SeamSettings& settings) {
+            return world_->stitch(a, of_a, b, of_b, settings);
+        });
 }
 
 Result<void> Replayer::choose(RecordReader& reader) {

@@ -34,6 +34,7 @@ class Replayer {
     Result<void> change_cloth(Call call, RecordReader& reader);
     Result<void> change_collider(Call call, RecordReader& reader);
     Result<void> change_body(Call call, RecordReader& reader);
+    Result<void> change_seam(Call call, RecordReader& reader);
     Result<void> choose(RecordReader& reader);
     Result<void> step(RecordReader& reader);
     Result<void> compare(std::uint64_t rest, std::span<const HashOfCloth> cloths);

@@ -10,6 +10,7 @@
 #include "weft/body.h"
 #include "weft/collider.h"
 #include "weft/report.h"
+#include "weft/seam.h"
 #include "weft/settings.h"
 #include "weft/shapes.h"
 #include "weft/transform.h"
@@ -284,6 +285,23 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("peak_speed", a.peak_speed, b.peak_speed);
     way("residual", a.residual, b.residual);
     way("milliseconds", a.milliseconds, b.milliseconds);
+    way("broken_stitches", a.broken_stitches, b.broken_stitches);
+}
+
+template <FieldsOf<SeamSettings> A, FieldsOf<SeamSettings> B, class Way>
+constexpr void for_both(A& a, B& b, const Way& way) {
+    way("rest_length", a.rest_length, b.rest_length);
+    way("break_force", a.break_force, b.break_force);
+    way("stiffness", a.stiffness, b.stiffness);
+}
+template <FieldsOf<SeamInfo> A, FieldsOf<SeamInfo> B, class Way>
+constexpr void for_both(A& a, B& b, const Way& way) {
+    way("a", a.a, b.a);
+    way("b", a.b, b.b);
+    way("stitches", a.stitches, b.stitches);
+    way("holding", a.holding, b.holding);
+    way("force", a.force, b.force);
+    way("tightest", a.tightest, b.tightest);
 }
 
 template <FieldsOf<ClothInfo> A, FieldsOf<ClothInfo> B, class Way>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cloth/equation/pair_rows.h"
+#include "cloth/equation/seam_rows.h"
 
 namespace weft {
 
@@ -18,9 +19,9 @@ bool takes_part(const Cloth& cloth, std::size_t body) {
     return cloth.contacts && !cloth.collected[body].in_part.isZero(0);
 }
 
-/// Whether a particle, numbered as in the pairs, is one of this equation's cloth.
+/// Whether a particle, numbered as in pairs and seams, is one of this equation's cloth.
 bool has_particle(const StepEquation& equation, std::uint32_t particle) {
-    return equation.pairs != nullptr && particle >= equation.first &&
+    return (equation.pairs != nullptr || !equation.seams.empty()) &&
            particle - equation.first < equation.positions.size();
 }
 
@@ -85,16 +86,18 @@ class FreeTogether {
                 });
         return shares;
     }
-    /// Whether features of the equation's cloth touch a particle that is_other.
+    /// Whether features of the equation's cloth touch a particle that is_other, or a seam joins them.
     template <class IsOther>
     [[nodiscard]] static bool touches(const StepEquation& equation, const IsOther& is_other) {
-        if (equation.pairs == nullptr) return false;
         bool touches = false;
-        equation.pairs->for_each_active([&](const PairRows::ActivePair& active) {
+        const auto look = [&](const PairRows::ActivePair& active) {
             const auto is_own = [&](std::uint32_t particle) { return has_particle(equation, particle); };
             touches = touches || (std::ranges::any_of(active.pair.corners, is_own) &&
                                   std::ranges::any_of(active.pair.corners, is_other));
-        });
+        };
+        if (equation.pairs != nullptr) equation.pairs->for_each_active(look);
+        for (const SeamRows* seam : equation.seams)
+            seam->for_each_active_of(equation.first, equation.positions.size(), look);
         return touches;
     }
     [[nodiscard]] bool touches_them(const StepEquation& equation) const {

@@ -99,7 +99,7 @@ void Simulation::apply(const WorldSettings& changed) {
     Room room;
     if (!have_same_threads(changed, settings)) {
         threads.emplace(make_parallel(changed));
-        room = make_room(nullptr, threads->width());
+        room = make_room({}, threads->width());
         motions_of_threads = make_motions(threads->width(), state.colliders.size());
     }
     std::optional<ContactReports> reports;
@@ -153,7 +153,7 @@ ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
     reserve_cloth(*this);
     const Newcomer newcomer{nullptr, cloth->scratch_bytes, cloth->settings.self_collision,
                             cloth->contact_mesh.get()};
-    Room room = make_room(&newcomer, parallel.width());
+    Room room = make_room({&newcomer, 1}, parallel.width());
     const ClothId id = cloths.insert(std::move(cloth));
     take(std::move(room));
     return id;
@@ -166,8 +166,8 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
         [&] {
             if (has_features(of)) cloth.make_contact_mesh();
             cloth.apply(changed, [&](std::size_t bytes) {
-                const Newcomer newcomer{&cloth, bytes, of, cloth.contact_mesh.get()};
-                room = make_room(&newcomer, parallel.width());
+                const Newcomer newcomer{&cloth, bytes, of, cloth.contact_mesh.get(), !cloth.seams.empty()};
+                room = make_room({&newcomer, 1}, parallel.width());
             });
         },
         [&] { cloth.drop_contact_mesh(); });
@@ -177,27 +177,31 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
 void Simulation::set_map(Cloth& cloth, Map map, AlignedBuffer<float>&& values) {
     Room room;
     cloth.set_map(map, std::move(values), [&](std::size_t bytes) {
-        const Newcomer newcomer{&cloth, bytes, cloth.settings.self_collision, cloth.contact_mesh.get()};
-        room = make_room(&newcomer, parallel.width());
+        const Newcomer newcomer{&cloth, bytes, cloth.settings.self_collision, cloth.contact_mesh.get(),
+                                !cloth.seams.empty()};
+        room = make_room({&newcomer, 1}, parallel.width());
     });
     take(std::move(room));
 }
 
-// Cloths that may touch or share a body may all be one group. Of the others each thread has one at a time.
-Simulation::RoomTaken Simulation::room_taken(const Newcomer* newcomer, int threads) const {
+// Cloths that may touch, are joined or share a body may all be one group. Of the others each thread has one
+// at a time.
+Simulation::RoomTaken Simulation::room_taken(Newcomers newcomers, int threads) const {
     RoomTaken taken;
     std::vector<std::size_t> alone;
     alone.reserve(cloths.size() + 1);
-    const auto add = [&](std::size_t bytes, const SelfCollision& of, const ContactMesh* mesh) {
+    const auto add = [&](std::size_t bytes, const SelfCollision& of, const ContactMesh* mesh,
+                         bool is_joined) {
         if (has_zones(of)) taken.by_zones += FeatureContact::particles_of(*mesh);
-        if (!has_features(of) && state.bodies.size() == 0) return alone.push_back(bytes);
+        if (!has_features(of) && !is_joined && state.bodies.size() == 0) return alone.push_back(bytes);
         taken.in_groups += bytes;
         ++taken.grouped;
     };
-    if (newcomer != nullptr) add(newcomer->scratch_bytes, newcomer->of, newcomer->mesh);
+    for (const Newcomer& one : newcomers) add(one.scratch_bytes, one.of, one.mesh, one.is_joined);
     cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) {
-        if (newcomer != nullptr && cloth.get() == newcomer->in_place_of) return;
-        add(cloth->scratch_bytes, cloth->settings.self_collision, cloth->contact_mesh.get());
+        if (std::ranges::find(newcomers, cloth.get(), &Newcomer::in_place_of) != newcomers.end()) return;
+        add(cloth->scratch_bytes, cloth->settings.self_collision, cloth->contact_mesh.get(),
+            !cloth->seams.empty());
     });
     const auto most = alone.begin() + std::min<std::ptrdiff_t>(threads, std::ssize(alone));
     std::ranges::nth_element(alone, most, std::ranges::greater());
@@ -206,8 +210,8 @@ Simulation::RoomTaken Simulation::room_taken(const Newcomer* newcomer, int threa
 }
 
 // Scratch of groups grows by 1/8, counted in cloths, so that n additions reallocate O(log n) times.
-Simulation::Room Simulation::make_room(const Newcomer* newcomer, int threads) const {
-    const RoomTaken taken = room_taken(newcomer, threads);
+Simulation::Room Simulation::make_room(Newcomers newcomers, int threads) const {
+    const RoomTaken taken = room_taken(newcomers, threads);
     Room room;
     if (taken.in_groups + taken.alone > scratch.bytes()) {
         const std::size_t one = taken.in_groups / std::max<std::size_t>(taken.grouped, 1);
@@ -229,7 +233,7 @@ void Simulation::take(Room&& room) noexcept {
 }
 
 std::size_t Simulation::bytes_to_spare() const {
-    const RoomTaken taken = room_taken(nullptr, parallel.width());
+    const RoomTaken taken = room_taken({}, parallel.width());
     std::size_t used = taken.in_groups + taken.alone;
     cloths.for_each([&](ClothId, const std::unique_ptr<Cloth>& cloth) { used += cloth->zone_bytes(); });
     // Clamped at 0: each cloth by zones counts the least number of pairs, which few cloths share.

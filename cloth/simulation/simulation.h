@@ -60,6 +60,8 @@ struct Simulation {
     SlotMap<ClothId, std::unique_ptr<Cloth>> cloths{new_first_generation()};
     /// Views that World::cloth last returned, by index of ids, and one more; emptied when a cloth is removed.
     std::vector<std::unique_ptr<ClothView>> views;
+    /// Rows of the seams of `state`, by index of ids; null for those that were removed.
+    std::vector<std::unique_ptr<SeamRows>> seam_rows;
     WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
     /// Shapes that colliders are instances of. Only calls of the host change them.
     SlotMap<ShapeId, std::unique_ptr<HeldShape>> shapes{new_first_generation()};
@@ -94,6 +96,14 @@ struct Simulation {
     void shift_origin(const Vec3& to);
     /// Frees the memory that cloths share, if the last one was removed.
     void cloth_has_gone() noexcept;
+
+    /// Adds a seam, whose cloths exist and can join. See seams.cpp.
+    SeamId add_seam(SeamState&& seam);
+    /// Precondition: the seam exists.
+    void remove_seam(SeamId id) noexcept;
+    /// Wakes the cloths that seams join to a cloth.
+    void wake_joined(const Cloth& cloth) noexcept;
+    [[nodiscard]] SeamInfo info_of(SeamId id) const;
 
     BodyId add_body(const BodySlot& slot);
     void remove_body(BodyId id);
@@ -156,7 +166,9 @@ struct Simulation {
         std::size_t scratch_bytes;
         const SelfCollision& of;
         const ContactMesh* mesh;
+        bool is_joined = false;  ///< has seams
     };
+    using Newcomers = std::span<const Newcomer>;
     /// The memory that all cloths need, whichever of them are solved together.
     struct RoomTaken {
         std::size_t in_groups = 0,
@@ -164,9 +176,9 @@ struct Simulation {
         std::size_t alone = 0;     ///< bytes of the others, one cloth a thread at a time
         std::size_t by_zones = 0;  ///< particles of cloths by zones
     };
-    [[nodiscard]] RoomTaken room_taken(const Newcomer* newcomer, int threads) const;
+    [[nodiscard]] RoomTaken room_taken(Newcomers newcomers, int threads) const;
     /// Allocates what is too small at present. May throw.
-    [[nodiscard]] Room make_room(const Newcomer* newcomer, int threads) const;
+    [[nodiscard]] Room make_room(Newcomers newcomers, int threads) const;
     void take(Room&& room) noexcept;
 
     // Working data of a step. The next step needs none of it, except what the budget has learnt.

@@ -56,7 +56,7 @@ BodyId Simulation::add_body(const BodySlot& slot) {
                 if (count == 1) made.buffers = BodyBuffers(cloth->state.size());
                 of_cloths.emplace_back(cloth.get(), std::move(made));
             });
-            room = make_room(nullptr, parallel.width());
+            room = make_room({}, parallel.width());
             expect_colliders(state.colliders.size());
         },
         [&] { state.bodies.erase(id); });

@@ -17,7 +17,7 @@ constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
 /// A cloth may take long steps where nothing that it meets or wears changes before one ends.
 bool can_stride(const Simulation& world, const Cloth& cloth) {
     return !world.body_stage && !cloth.is_disturbed && !cloth.has_features() && !cloth.state.frame &&
-           !cloth.worn.has_limits() && cloth.attached.empty();
+           !cloth.worn.has_limits() && cloth.attached.empty() && cloth.seams.empty();
 }
 
 void choose_rungs(Simulation& world) {

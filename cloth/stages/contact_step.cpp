@@ -10,6 +10,7 @@
 #include "cloth/stages/collide_step.h"
 #include "cloth/stages/contact_step.h"
 #include "cloth/stages/report_contacts.h"
+#include "cloth/stages/seam_step.h"
 #include "cloth/stages/worn_step.h"
 #include "collision/search/patch_kernels.h"
 #include "collision/shapes/moving_shapes.h"
@@ -141,8 +142,9 @@ void expect(const Simulation& world, Cloth& cloth, float h) {
     cloth.expected.box = grown(cloth.expected.box, push);
 }
 
-// Cloths whose swept ranges overlap, or that may meet the same body, are solved together. They pass momentum
-// on to one another, so that each may go as far as the fastest: boxes grow, and groups are found anew.
+// Cloths whose swept ranges overlap, that seams join, or that may meet the same body, are solved together.
+// They pass momentum on to one another, so that each may go as far as the fastest: boxes grow, and groups are
+// found anew.
 void meet(Simulation& world) {
     for (bool any = true; any;) {
         world.boxes.clear();
@@ -152,6 +154,7 @@ void meet(Simulation& world) {
             return may_meet(*world.present[i], *world.present[j]);
         });
         if (world.body_stage) world.group_finder.join(world.body_stage->sharing.first_of());
+        join_seams(world);
         any = pass_ways_on(world);
     }
     for (std::size_t i = 0; i < world.present.size(); ++i)

@@ -173,6 +173,12 @@ void find_missing_impulses(const SolverStep& step, Cloth& cloth) {
         for (std::uint32_t i = range.begin; i < range.end; ++i)
             cloth.missing_impulses[i] = to_vec4(-xyz(left[i]), 0);
     });
+    const std::uint32_t first = step.equation.first, end = first + cloth.state.size();
+    for (const SeamRows* seam : step.equation.seams)
+        seam->for_each_particle(first, end, [&](const PairRows::AtParticle& at) {
+            Vec4& missing = cloth.missing_impulses[at.particle - first];
+            set_xyz(missing, xyz(missing) - at.impulse);
+        });
     cloth.impulse_ratio = step.equation.h / step.equation.gamma;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "cloth/stages/seam_step.h"
 #include "cloth/stages/sleep.h"
 #include "cloth/stages/step_bodies.h"
 #include "collision/shapes/moving_shapes.h"
@@ -132,7 +133,8 @@ void find_disturbed(Simulation& world, float dt) {
     });
 }
 
-// Cloths that may touch sleep together and wake together, so that none lies on what only seems to be still.
+// Cloths that may touch, or are joined, sleep together and wake together, so that none lies on what only
+// seems to be still.
 void sleep_and_wake(Simulation& world, float dt) {
     world.boxes.clear();
     for (const Cloth* cloth : world.present)
@@ -140,6 +142,7 @@ void sleep_and_wake(Simulation& world, float dt) {
     world.group_finder.find(world.boxes, [&](std::uint32_t i, std::uint32_t j) {
         return may_meet(*world.present[i], *world.present[j]);
     });
+    join_seams(world);
     const std::span<const std::uint32_t> first_of = world.group_finder.first_of();
     world.still_for.assign(world.present.size(), std::numeric_limits<float>::max());
     for (std::size_t i = 0; i < world.present.size(); ++i) {

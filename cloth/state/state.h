@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cloth/state/held_contacts.h"
+#include "cloth/state/seam_state.h"
 #include "cloth/state/skin_state.h"
 #include "collision/contact/crossings/tangles.h"
 #include "engine/memory/aligned_buffer.h"
@@ -141,6 +142,7 @@ struct WorldState {
     std::array<double, 3> wind_path{};  ///< path of the mean wind since then [m]
     SlotMap<ColliderId, ColliderSlot> colliders;
     SlotMap<BodyId, BodySlot> bodies{new_first_generation()};
+    SlotMap<SeamId, SeamState> seams{new_first_generation()};
 };
 
 template <class Pins, class Visit>
@@ -229,6 +231,7 @@ void for_each_part(State& state, const Visit& visit) {
         }
     });
     state.bodies.for_each([&](BodyId, auto& slot) { visit(std::span(&slot.state, 1)); });
+    state.seams.for_each([&](SeamId, auto& seam) { visit(std::span(seam.holds)); });
 }
 
 }  // namespace weft

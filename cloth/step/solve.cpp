@@ -11,6 +11,7 @@
 #include "cloth/stages/collide_step.h"
 #include "cloth/stages/contact_step.h"
 #include "cloth/stages/report_contacts.h"
+#include "cloth/stages/seam_step.h"
 #include "cloth/stages/step_bodies.h"
 #include "cloth/stages/worn_step.h"
 #include "cloth/step/solve.h"
@@ -19,11 +20,6 @@
 namespace weft {
 
 namespace {
-
-/// Whether a cloth's method and contact allow it in an equation with other cloths and pairs of features.
-bool can_join(const Cloth& cloth) {
-    return cloth.solver->joins() && !has_zones(cloth.settings.self_collision);
-}
 
 bool any_meets_bodies(std::span<Cloth* const> cloths) {
     return std::ranges::any_of(cloths, &Cloth::meets_bodies);
@@ -90,7 +86,7 @@ struct SetEnds {
 SetEnds order_by_sets(const Simulation& world, Group& group, std::span<Cloth* const> cloths, float h) {
     // Bodies move the colliders of one list, and a transported cloth has a list of its own.
     const auto is_alone = [&](const Cloth& cloth) {
-        return !can_join(cloth) || (world.body_stage && cloth.sees_own_colliders());
+        return !cloth.can_join() || (world.body_stage && cloth.sees_own_colliders());
     };
     std::size_t end = 0;
     const auto add = [&](const auto& is_wanted) {
@@ -138,20 +134,28 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
     const auto first = static_cast<std::size_t>(set.data() - group.cloths.data());
     const std::span<Cloth* const> featured = group.all_featured();
     bool any_pairs = false;
+    std::uint32_t next = group.contact.particles();
     for (std::size_t m = first; m < first + set.size(); ++m) {
         Cloth& cloth = *group.cloths[m];
         StepEquation& equation = *std::construct_at(
             &group.equations[m], equation_of(world, worker, cloth, part.h, cloth.bdf_of(part.h, gamma)));
         begin_contacts(worker, cloth, side_of(world, cloth, part.h), part);
-        if (cloth.has_features() && can_join(cloth)) {
+        const bool has_pairs = cloth.has_features() && cloth.can_join();
+        if (has_pairs) {
             const auto body =
                 static_cast<std::size_t>(std::ranges::find(featured, &cloth) - featured.begin());
             group.contact.set_base(worker.parallel, body, equation.base_positions);
             equation.pairs = &group.contact.rows();
             equation.first = group.contact.first(body);
-            cloth.contacts->join(*equation.pairs, equation.first);
             any_pairs = true;
+        } else if (!cloth.seams.empty()) {
+            equation.first = next;
+            next += Stencil::whole_groups(cloth.model.particle_count);
         }
+        equation.seams = cloth.seams;
+        if (has_pairs || !cloth.seams.empty())
+            cloth.contacts->join(equation.pairs, equation.seams, equation.first);
+        cloth.equation = &equation;
         if (cloth.meets_bodies) carry_bodies(world, cloth, equation);
         std::construct_at(&group.steps[m],
                           SolverStep{.parallel = worker.parallel,
@@ -161,10 +165,11 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
                                      .equation = equation,
                                      .velocities = cloth.scratch_velocities.span(),
                                      .wants_residual = part.is_last() && is_residual_due(world, cloth)});
-        if (can_join(cloth))
+        if (cloth.can_join())
             std::construct_at(&group.members[m],
                               static_cast<MultilevelSolver&>(*cloth.solver).member(group.steps[m]));
     }
+    begin_seams(world, set, gamma);
     if (!any_pairs) return;
     for (std::size_t k = 0; k < featured.size(); ++k)
         if (std::ranges::find(set, featured[k]) == set.end())
@@ -276,7 +281,7 @@ void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth*
     const std::span<StepEquation> equations = of_set(group.equations);
     const std::span<float> residuals = of_set(group.residuals);
     SolveResult result;
-    if (can_join(*set.front())) {
+    if (set.front()->can_join()) {
         result = solve_by_passes(of_set(group.members), residuals);
     } else {
         result = set.front()->solver->solve(group.steps[first]);
@@ -288,12 +293,14 @@ void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth*
         if (with_bodies) collect_from_equation(world, *set[m], equations[m]);
     }
     if (with_bodies) keep_momentum_of_bodies(world, set, equations);
+    end_seams(world, set);
     for (std::size_t m = 0; m < set.size() && world.reports_contacts(); ++m) {
         if (equations[m].pairs == nullptr) continue;
         equations[m].pairs->take(worker.parallel, equations[m].first,
                                  std::as_const(set[m]->scratch_velocities).span());
         find_missing_impulses(group.steps[first + m], *set[m]);
     }
+    for (Cloth* cloth : set) cloth->equation = nullptr;
     for (std::size_t m = 0; m < set.size(); ++m) {
         advance(world, worker, *set[m], equations[m], part.is_first());
         if (result.is_rough) forget_own_changes(set[m]->state);
@@ -316,6 +323,7 @@ void solve_part(Simulation& world, Worker& worker, Group& group, Scratch scratch
         group.contact.lay_out(scratch, group.all_bodies(), world.zones.get());
         find_features(world, worker, group.contact, featured, part.h);
     }
+    agree_on_order(cloths, part.h);
     const SetEnds ends = order_by_sets(world, group, cloths, part.h);
     std::span<Cloth* const> set;
     for (std::size_t begin = 0, end; begin < cloths.size(); begin = end) {

@@ -8,6 +8,7 @@
 #include "cloth/stages/choose.h"
 #include "cloth/stages/contact_step.h"
 #include "cloth/stages/report_contacts.h"
+#include "cloth/stages/seam_step.h"
 #include "cloth/stages/sleep.h"
 #include "cloth/stages/step_bodies.h"
 #include "cloth/stages/worn_step.h"
@@ -23,6 +24,8 @@ void begin(Simulation& world, float dt) {
     world.profiler.begin_step();
     world.report = {.step = ++world.state.steps, .substeps = world.settings.substeps};
     world.contact_reports.clear();
+    for (const std::unique_ptr<SeamRows>& seam : world.seam_rows)
+        if (seam) seam->begin_step();
     choose_present(world, dt);
     if (world.settings.budget > 0) choose_details(world);
     world.cloths.for_each([](ClothId, std::unique_ptr<Cloth>& cloth) { cloth->was_stepped = false; });
@@ -120,6 +123,8 @@ void end(Simulation& world, float dt) {
         if (cloth->state.frame) arrive(*cloth->state.frame, dt, in_one_part, world.settings.max_speed);
     }
     world.report.cloths += world.report.sleeping_cloths;
+    for (const std::unique_ptr<SeamRows>& seam : world.seam_rows)
+        if (seam) world.report.broken_stitches += seam->broken();
     if (world.reports_contacts()) report_contacts(world);
     const Vec3& wind = world.settings.wind.velocity;
     const double seconds = static_cast<double>(dt);
@@ -137,7 +142,7 @@ void end(Simulation& world, float dt) {
 
 void Simulation::step(float dt) {
     begin(*this, dt);
-    if (featured_cloths > 1 || body_stage)
+    if (featured_cloths > 1 || body_stage || joins_cloths(*this))
         step_together(*this, dt);
     else
         step_each(*this, dt);

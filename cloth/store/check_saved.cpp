@@ -211,6 +211,10 @@ Result<void> check_world_part(const WorldState& here, const SaveReader& reader) 
     number = 0;
     read.bodies.for_each(
         [&](BodyId, const BodySlot& slot) { check(validate(slot.state).ok(), "the state of its body "); });
+    number = 0;
+    read.seams.for_each([&](SeamId, const SeamState& seam) {
+        check(std::ranges::all_of(seam.holds, [](std::uint32_t holds) { return holds <= 1; }), "its seam ");
+    });
     return checked;
 }
 

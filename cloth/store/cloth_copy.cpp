@@ -39,7 +39,7 @@ Cloth::Cloth(const Cloth& cooked)
     if (cooked.history) history.emplace();
     for (const std::unique_ptr<Limit>& limit : cooked.limits) limits.push_back(limit->clone());
     const SelfCollision& self_collision = settings.self_collision;
-    if (has_pairs(self_collision)) reserve_pairs(*solver);
+    if (pairs_in_equation(self_collision) > 0) reserve_pairs(*solver);
     take_features(make_features(self_collision), self_collision);
     scratch_bytes = scratch_of_steps(*solver, history.has_value(), self_collision, contact_mesh.get());
     take_contacts(make_contacts(false), false);
@@ -78,9 +78,9 @@ std::size_t Cloth::own_bytes() const {
            air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
            (whole ? whole->bytes() : 0) + body_buffers.bytes() +
-           collected.capacity() * sizeof(CollectedShare) + attached.capacity() * sizeof(Attachment) +
-           partial_counts.bytes() + partial_sums.bytes() + partial_surveys.bytes() +
-           (shown ? shown->bytes() : 0) + (budgeted ? sizeof(Budgeted) : 0);
+           collected.capacity() * sizeof(CollectedShare) + seams.capacity() * sizeof(SeamRows*) +
+           attached.capacity() * sizeof(Attachment) + partial_counts.bytes() + partial_sums.bytes() +
+           partial_surveys.bytes() + (shown ? shown->bytes() : 0) + (budgeted ? sizeof(Budgeted) : 0);
 }
 
 }  // namespace weft

@@ -46,6 +46,25 @@ std::uint32_t deformable_of(const Simulation& simulation) {
     return vertices;
 }
 
+/// By places of cloths in the order of their ids, which differ between Worlds.
+std::uint32_t sewn_of(const Simulation& simulation) {
+    std::uint32_t sewn = 1;
+    const auto add = [&](std::uint32_t number) { sewn = 31 * sewn + number; };
+    const auto place_of = [&](ClothId wanted) {
+        std::uint32_t place = 0;
+        simulation.cloths.for_each(
+            [&](ClothId id, const auto&) { place += id.index < wanted.index ? 1 : 0; });
+        return place;
+    };
+    simulation.state.seams.for_each([&](SeamId, const SeamState& seam) {
+        for (const ClothId cloth : seam.cloths) add(place_of(cloth));
+        add(static_cast<std::uint32_t>(seam.stitches.size()));
+        for (const Stitch& stitch : seam.stitches)
+            for (const std::uint32_t particle : stitch.particles) add(particle);
+    });
+    return sewn;
+}
+
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
     StateHash hash;
     hash.add(bytes);
@@ -60,6 +79,8 @@ SaveHead head_of(const Simulation& simulation) {
             .kinds = kinds_of(simulation.state),
             .shapes = static_cast<std::uint32_t>(simulation.shapes.size()),
             .deformable = deformable_of(simulation),
+            .seams = static_cast<std::uint32_t>(simulation.state.seams.size()),
+            .sewn = sewn_of(simulation),
             .bytes = save_size(simulation)};
 }
 
@@ -98,6 +119,10 @@ Result<void> check_world(const SaveHead& head, const Simulation& simulation) {
     if (head.deformable != here.deformable)
         return other_world("its triangle meshes have " + std::to_string(head.deformable) +
                            " vertices, those here " + std::to_string(here.deformable));
+    if (head.seams != here.seams)
+        return other_world("it has " + std::to_string(head.seams) + " seams, this one has " +
+                           std::to_string(here.seams));
+    if (head.sewn != here.sewn) return other_world("its seams join other vertices, or are in another order");
     return {};
 }
 
@@ -289,6 +314,8 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
         for_each_part(cloth->state, of_cloths);
         simulation.state_has_changed(*cloth);
     });
+    for (const std::unique_ptr<SeamRows>& seam : simulation.seam_rows)
+        if (seam) seam->forget_forces();
     simulation.clear_contacts();
     simulation.clear_body_impulses();
     return {};

@@ -19,7 +19,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Raised with each change of the format behind the head.
-inline constexpr std::uint32_t save_version = 9;
+inline constexpr std::uint32_t save_version = 10;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 
 struct SaveHead {
@@ -32,8 +32,10 @@ struct SaveHead {
     std::uint32_t kinds = 0;     ///< hash of the kinds of the colliders' shapes, see kinds_of()
     std::uint32_t shapes = 0;
     std::uint32_t deformable = 0;  ///< vertices of all shapes
-    std::uint64_t bytes = 0;       ///< of the whole save
-    std::uint64_t hash = 0;        ///< of all behind the head
+    std::uint32_t seams = 0;
+    std::uint32_t sewn = 0;   ///< hash of what the seams join, see sewn_of()
+    std::uint64_t bytes = 0;  ///< of the whole save
+    std::uint64_t hash = 0;   ///< of all behind the head
 };
 static_assert(std::has_unique_object_representations_v<SaveHead>);
 

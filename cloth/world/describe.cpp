@@ -56,6 +56,15 @@ std::string description_of(const Simulation& simulation, DescriptionFormat forma
             });
         });
     });
+    outline.list("seams", [&] {
+        simulation.state.seams.for_each([&](SeamId id, const SeamState& seam) {
+            outline.object("", [&] {
+                outline.value("id", id);
+                outline.fields(simulation.info_of(id));
+                outline.value("settings", seam.settings);
+            });
+        });
+    });
     outline.list("shapes", [&] {
         simulation.shapes.for_each([&](ShapeId id, const std::unique_ptr<HeldShape>& shape) {
             outline.object("", [&] {

@@ -135,6 +135,7 @@ Result<void> World::remove_cloth(ClothId id) {
         const auto* const cloth = simulation.cloths.find(id);
         if (cloth == nullptr) return stale_id("ClothId", id);
         simulation.wake_near(**cloth);
+        while (!(*cloth)->seams.empty()) simulation.remove_seam((*cloth)->seams.back()->id());
         simulation.cloths.erase(id);
         *simulation.views[id.index] = {};
         simulation.cloth_has_gone();
@@ -146,6 +147,7 @@ Result<void> World::set_enabled(ClothId id, bool on) {
     return impl_->change(Call::set_enabled, id, on)([&] {
         return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
             if (!on) impl_->simulation.wake_near(cloth);
+            impl_->simulation.wake_joined(cloth);
             return enable(impl_->simulation, cloth, on, [&] { cloth.set_enabled(on); });
         });
     });
@@ -179,6 +181,8 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
             if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
                 if (auto valid = validate_for_maps(settings); !valid) return valid;
             if (auto valid = validate_neighbours(cloth.model, settings); !valid) return valid;
+            if (!cloth.seams.empty())
+                if (auto valid = validate_for_seams(settings); !valid) return valid;
             impl_->simulation.mark_near(cloth);
             Result<void> done = enable(impl_->simulation, cloth, settings.enabled,
                                        [&] { impl_->simulation.apply(cloth, settings); });

@@ -42,6 +42,26 @@ Result<std::vector<std::uint32_t>> sources_of(const Cloth& cloth, const ClothMod
     return sources;
 }
 
+/// The seam of a cloth that is cut; sources: by new particle, its old one. Each stitch stays at the first
+/// particle that comes from its own, and ends where none does.
+SeamState after_cut(const SeamState& seam, ClothId cut, std::span<const std::uint32_t> sources) {
+    SeamState next{.settings = seam.settings, .cloths = seam.cloths, .stitches = {}, .holds = {}};
+    for (std::size_t k = 0; k < seam.stitches.size(); ++k) {
+        Stitch stitch = seam.stitches[k];
+        bool is_there = true;
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (seam.cloths[side] != cut) continue;
+            const auto at = std::ranges::find(sources, stitch.particles[side]);
+            is_there = is_there && at != sources.end();
+            stitch.particles[side] = static_cast<std::uint32_t>(at - sources.begin());
+        }
+        if (!is_there) continue;
+        next.stitches.push_back(stitch);
+        next.holds.push_back(seam.holds[k]);
+    }
+    return next;
+}
+
 /// Edges with more than this strain, by particles, each once.
 std::vector<StrainedEdge> edges_beyond(const Cloth& cloth, float strain) {
     std::vector<StrainedEdge> edges;
@@ -74,8 +94,8 @@ void name_by_vertices(const Cloth& cloth, std::span<StrainedEdge> edges) {
 void Simulation::replace(ClothId id, std::unique_ptr<Cloth>&& next) {
     std::unique_ptr<Cloth>& place = *cloths.find(id);
     const Newcomer newcomer{place.get(), next->scratch_bytes, next->settings.self_collision,
-                            next->contact_mesh.get()};
-    Room room = make_room(&newcomer, parallel.width());
+                            next->contact_mesh.get(), !next->seams.empty()};
+    Room room = make_room({&newcomer, 1}, parallel.width());
 
     // From here on nothing can fail.
     if (next->model.fingerprint != place->model.fingerprint) wake_near(*place);
@@ -98,10 +118,16 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
             const ClothInfo info = model->info;
             auto next = std::make_unique<Cloth>(std::move(model).value(), cloth.settings);
             next->take_maps(cloth, *sources);
+            next->take_seams(next->make_seams(std::vector(cloth.seams)));
+            std::vector<std::pair<SeamId, SeamState>> seams;
+            for (const SeamRows* rows : cloth.seams)
+                seams.emplace_back(rows->id(),
+                                   after_cut(*simulation.state.seams.find(rows->id()), id, *sources));
             simulation.prepare(*next);
             next->go_on_from(cloth, *sources, simulation.state.colliders.size());
             simulation.state_has_changed(*next);
             simulation.replace(id, std::move(next));
+            for (auto& [seam, state] : seams) *simulation.state.seams.find(seam) = std::move(state);
             log_repairs(info);
             return {};
         });

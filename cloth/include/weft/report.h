@@ -92,7 +92,8 @@ struct StepReport {
     /// or substeps grow: with few, about 1 is normal. Cloth that was put back, its velocities being no
     /// numbers (StepFlags::state_restored), has about 1, too.
     float residual = 0;
-    float milliseconds = 0;  ///< time of the whole step [ms]
+    float milliseconds = 0;             ///< time of the whole step [ms]
+    std::uint32_t broken_stitches = 0;  ///< stitches of seams that broke, see World::stitch()
 };
 
 /// The part of StepReport of one cloth; of a cloth that was not stepped only enabled, asleep and particles.

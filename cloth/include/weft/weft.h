@@ -35,6 +35,7 @@
 #include "weft/query.h"
 #include "weft/recording.h"
 #include "weft/report.h"
+#include "weft/seam.h"
 #include "weft/self_collision.h"
 #include "weft/settings.h"
 #include "weft/shapes.h"

@@ -45,6 +45,7 @@ WEFT_API void weft_method_init(WeftMethod* method, int32_t kind);
 WEFT_API void weft_collider_init(WeftCollider* collider, size_t struct_size, int32_t kind);
 WEFT_API void weft_shape_init(WeftShape* shape, size_t struct_size, int32_t kind);
 WEFT_API void weft_body_settings_init(WeftBodySettings* settings, size_t struct_size);
+WEFT_API void weft_seam_settings_init(WeftSeamSettings* settings, size_t struct_size);
 WEFT_API void weft_body_state_init(WeftBodyState* state, size_t struct_size);
 WEFT_API void weft_sheet_settings_init(WeftSheetSettings* settings, size_t struct_size);
 WEFT_API void weft_drawn_mesh_settings_init(WeftDrawnMeshSettings* settings, size_t struct_size);
@@ -186,6 +187,13 @@ WEFT_API WeftResult weft_world_attach(WeftWorld* world, WeftBodyId id, WeftCloth
 WEFT_API WeftResult weft_world_detach(WeftWorld* world, WeftClothId cloth, const uint32_t* vertices,
                                       size_t count);
 WEFT_API const WeftBodyImpulse* weft_world_body_impulses(const WeftWorld* world, size_t* count);
+
+// Joins `count` vertices of each cloth pairwise. Null settings: the defaults.
+WEFT_API WeftResult weft_world_stitch(WeftWorld* world, WeftClothId a, const uint32_t* vertices_a,
+                                      WeftClothId b, const uint32_t* vertices_b, size_t count,
+                                      const WeftSeamSettings* settings, WeftSeamId* id);
+WEFT_API WeftResult weft_world_unstitch(WeftWorld* world, WeftSeamId id);
+WEFT_API WeftResult weft_world_seam_info(const WeftWorld* world, WeftSeamId id, WeftSeamInfo* info);
 
 // Errors: dt out of range; a step is under way. All other problems are in the report's flags.
 WEFT_API WeftResult weft_world_step(WeftWorld* world, float dt);

@@ -25,6 +25,7 @@
 #include "weft/query.h"
 #include "weft/recording.h"
 #include "weft/report.h"
+#include "weft/seam.h"
 #include "weft/settings.h"
 #include "weft/shapes.h"
 #include "weft/transform.h"
@@ -284,6 +285,30 @@ class WEFT_API World {
     /// add_body() or remove_body(). Impulses of a cloth that was put back to the start of the step are
     /// included.
     [[nodiscard]] std::span<const BodyImpulse> body_impulses() const noexcept;
+
+    /// Sews vertices together by a seam, whose k-th stitch joins vertices_a[k] of cloth `a` to vertices_b[k]
+    /// of cloth `b`, which may be the same cloth: buttons, patchwork, a sleeve on its shirt. A stitch is a
+    /// spring in the cloths' equation, which are solved together: it pulls as hard on one as on the other,
+    /// and holds light cloth on heavy as well as heavy on light. It pushes, too, so that it holds cloth at
+    /// SeamSettings::rest_length.
+    ///
+    /// Stitches act on vertices that are pinned or attached as well. Cloth that is switched off
+    /// (ClothSettings::enabled) holds what is sewn to it as pins do. Cloths that are joined sleep and wake
+    /// together, and take no long steps by WorldSettings::budget. move_cloth() moves one cloth: move all that
+    /// are joined before the next step. A cut (recut_cloth) keeps each stitch at the first vertex that comes
+    /// from its own. Removing a cloth removes its seams.
+    ///
+    /// All stitches are made or, with an error, none. Errors: a stale id; a vertex that its cloth does not
+    /// have; as many vertices on one side as on the other were not given, or none; a stitch from a vertex to
+    /// itself; a setting out of range; a cloth by another method than Multilevel, or by impact zones, whose
+    /// equations have no place for stitches. set_cloth_settings() refuses these for cloth that has seams.
+    Result<SeamId> stitch(ClothId a, std::span<const std::uint32_t> vertices_a, ClothId b,
+                          std::span<const std::uint32_t> vertices_b, const SeamSettings& settings = {});
+    /// Removes a seam with all its stitches.
+    Result<void> unstitch(SeamId id);
+    /// How many stitches hold, and how hard they pulled in the last step. StepReport::broken_stitches counts
+    /// those that broke in it.
+    [[nodiscard]] Result<SeamInfo> seam_info(SeamId id) const;
 
     /// Advances by dt seconds, in [least_step, greatest_step], else StepFlags::invalid_dt. Steps may differ
     /// in length: the time scheme keeps its order. It never allocates, and prepares nothing: what a change

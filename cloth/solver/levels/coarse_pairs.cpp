@@ -167,11 +167,16 @@ void CoarsePairs::merge(Parallel& parallel, std::uint32_t fine_rows, const AddRo
 }
 
 // A group may have more pairs than a cloth has room for. The others act on the finest level only.
+void CoarsePairs::add_to_list(const PairRows::ActivePair& active) {
+    if (listed_ < active_.size()) std::construct_at(&active_[listed_++], active);
+}
+
 void CoarsePairs::list(PairRows& pairs, std::uint32_t first, std::uint32_t particles) {
-    listed_ = 0;
-    pairs.for_each_active_of(first, particles, [&](const PairRows::ActivePair& active) {
-        if (listed_ < active_.size()) std::construct_at(&active_[listed_++], active);
-    });
+    pairs.for_each_active_of(first, particles, [&](const auto& active) { add_to_list(active); });
+}
+
+void CoarsePairs::list(const SeamRows& seam, std::uint32_t first, std::uint32_t particles) {
+    seam.for_each_active_of(first, particles, [&](const auto& active) { add_to_list(active); });
 }
 
 CoarsePairs::Key CoarsePairs::key_of(const PairRows::ActivePair& active, std::uint32_t first,

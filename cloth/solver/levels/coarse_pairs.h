@@ -10,6 +10,7 @@
 #include <span>
 
 #include "cloth/equation/pair_rows.h"
+#include "cloth/equation/seam_rows.h"
 #include "cloth/equation/sparse/interpolation.h"
 #include "engine/memory/scratch.h"
 #include "engine/simd/symmetric3.h"
@@ -39,9 +40,11 @@ class CoarsePairs {
     void lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t nodes);
     [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
 
-    /// Lists the pairs that push any of a cloth's `particles`, numbered from `first` on. Only one cloth at a
-    /// time may call this: the pairs mark what they list.
+    /// Adds the pairs that push any of a cloth's `particles`, numbered from `first` on, to those listed. Only
+    /// one cloth at a time may call this: the pairs mark what they list.
     void list(PairRows& pairs, std::uint32_t first, std::uint32_t particles);
+    /// Likewise the stitches of a seam.
+    void list(const SeamRows& seam, std::uint32_t first, std::uint32_t particles);
     /// Makes rows of the listed pairs whose corners are all the cloth's. P leads from the first coarse level
     /// to the particles; `weights` are P's, 0 where pinned.
     void gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
@@ -96,6 +99,7 @@ class CoarsePairs {
     [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, std::uint32_t first,
                                     const Interpolation& p, std::span<const float> weights);
     void sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows);
+    void add_to_list(const PairRows::ActivePair& active);
     template <class AddRow>
     void merge(Parallel& parallel, std::uint32_t fine_rows, const AddRow& add_row);
 

@@ -287,12 +287,14 @@ void Multigrid::reserve_pins(std::size_t count) {
     held_.reserve(std::min(count * most_links_, all_links_));
 }
 
-void Multigrid::list_pairs(PairRows* pairs, std::uint32_t first) {
+void Multigrid::list_pairs(PairRows* pairs, std::span<SeamRows* const> seams, std::uint32_t first) {
     if (coarse_.empty() || !has_pairs_) return;
     first_ = first;
     for (CoarseLevel& level : coarse_) level.pairs().clear();
     if (pairs != nullptr && !pairs->empty())
         coarse_.front().pairs().list(*pairs, first, static_cast<std::uint32_t>(pinned_.size()));
+    for (const SeamRows* seam : seams)
+        coarse_.front().pairs().list(*seam, first, static_cast<std::uint32_t>(pinned_.size()));
 }
 
 void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {

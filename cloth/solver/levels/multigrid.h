@@ -44,9 +44,9 @@ class Multigrid {
     /// lay_out() in memory of its own. Levels that were made have such memory; copies do not.
     void lay_out_alone(std::size_t pairs = 0) { own_scratch_.lay_out(*this, pairs); }
 
-    /// Lists the pairs that push the cloth, for build(); null: none. Pairs number its particles from `first`
-    /// on. Only one cloth at a time may call this for the same pairs.
-    void list_pairs(PairRows* pairs, std::uint32_t first);
+    /// Lists the pairs that push the cloth, and its stitches, for build(). Both number its particles from
+    /// `first` on. Null: no pairs. Only one cloth at a time may call this for the same pairs.
+    void list_pairs(PairRows* pairs, std::span<SeamRows* const> seams, std::uint32_t first);
     /// Sums the coarse operators of the system's present W, and of the pairs that are listed.
     void build(Parallel& parallel, ImplicitSystem& system);
     /// z = an approximation of W^-1 r, linear, symmetric and positive definite in r.

@@ -9,6 +9,7 @@
 
 #include "cloth/equation/contacts.h"
 #include "cloth/equation/pair_rows.h"
+#include "cloth/equation/seam_rows.h"
 
 namespace weft {
 
@@ -149,11 +150,12 @@ std::span<const std::uint32_t> FreePieces::particles_of(std::size_t component) c
 }
 
 void FreePieces::mark_touching(const StepEquation& equation) {
-    if (equation.pairs == nullptr) return;
     const auto end = equation.first + static_cast<std::uint32_t>(component_of_.size());
-    equation.pairs->for_each_particle(equation.first, end, [&](const PairRows::AtParticle& at) {
+    const auto mark = [&](const PairRows::AtParticle& at) {
         pieces_[component_of_[at.particle - equation.first]].touches = true;
-    });
+    };
+    if (equation.pairs != nullptr) equation.pairs->for_each_particle(equation.first, end, mark);
+    for (const SeamRows* seam : equation.seams) seam->for_each_particle(equation.first, end, mark);
 }
 
 void FreePieces::weigh(const StepEquation& equation, std::span<const Vec4> velocities,

@@ -66,7 +66,7 @@ class FreePieces {
 
   private:
     struct Piece {
-        bool touches = false;  ///< features of its own or of others
+        bool touches = false;  ///< features of its own or of others, or is joined to them by a seam
         bool is_held = false;  ///< by a pin, a collider or a body
         PieceSums sums;
     };

@@ -152,6 +152,8 @@ struct EveryCall {
         EXPECT_TRUE(world.wake(cloths[1]));
         EXPECT_TRUE(world.set_importance(cloths[1], 2));
         EXPECT_TRUE(world.unpin(cloths[0], 8));
+        const std::vector<std::uint32_t> corners{72, 80};
+        seam = world.stitch(cloths[0], corners, cloths[1], corners, {.rest_length = 0.05f}).value();
         cut();
         EXPECT_TRUE(world.shift_origin({1, 0, 2}));
         EXPECT_TRUE(world.place_collider(
@@ -172,6 +174,7 @@ struct EveryCall {
         EXPECT_TRUE(world.restore(saved));
     }
     void remove() {
+        EXPECT_TRUE(world.unstitch(seam));
         EXPECT_TRUE(world.detach(cloths[2], std::vector<std::uint32_t>{40}));
         EXPECT_TRUE(world.detach_collider(colliders[6]));
         EXPECT_TRUE(world.remove_body(body));
@@ -193,6 +196,7 @@ struct EveryCall {
     std::vector<ShapeId> shapes;
     std::vector<ColliderId> colliders;
     BodyId body;
+    SeamId seam;
 };
 
 /// All of it, as it was recorded.

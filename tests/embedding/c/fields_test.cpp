@@ -29,7 +29,7 @@ constexpr int lines_of() {
 [[maybe_unused]] void count_fields(Fabric& a, FiniteElements& b, Tethers& c, FrameInertia& d,
                                    SelfCollision& e, ClothSettings& f, AirSource& g, AirShelter& p, Wind& h,
                                    WorldSettings& i, BodySettings& j, BodyState& k, ClothReport& l,
-                                   StepReport& m, ClothInfo& n, ShapeInfo& o) {
+                                   StepReport& m, ClothInfo& n, ShapeInfo& o, SeamSettings& p, SeamInfo& q) {
     [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7, a8] = a;
     static_assert(lines_of<Fabric>() == 8);
     [[maybe_unused]] auto& [b1, b2, b3, b4] = b;
@@ -59,13 +59,17 @@ constexpr int lines_of() {
         l;
     static_assert(lines_of<ClothReport>() == 18);
     [[maybe_unused]] auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18,
-                            m19, m20, m21] = m;
-    static_assert(lines_of<StepReport>() == 21);
+                            m19, m20, m21, m22] = m;
+    static_assert(lines_of<StepReport>() == 22);
     [[maybe_unused]] auto& [n1, n2, n3, n4, n5, n6, n7, n8, n9, n10, n11, n12, n13, n14, n15, n16, n17, n18,
                             n19, n20, n21] = n;
     static_assert(lines_of<ClothInfo>() == 21);
     [[maybe_unused]] auto& [o1, o2, o3, o4] = o;
     static_assert(lines_of<ShapeInfo>() == 4);
+    [[maybe_unused]] auto& [p1, p2, p3] = p;
+    static_assert(lines_of<SeamSettings>() == 3);
+    [[maybe_unused]] auto& [q1, q2, q3, q4, q5, q6] = q;
+    static_assert(lines_of<SeamInfo>() == 6);
 }
 
 /// Calls act(number) for each number that a value holds, in order.
@@ -163,6 +167,7 @@ TEST(FieldsForC, GoOverAndComeBackOfAllThatAHostSets) {
     }
     expect_both_ways<WeftBodySettings>(BodySettings{});
     expect_both_ways<WeftBodyState>(BodyState{});
+    expect_both_ways<WeftSeamSettings>(SeamSettings{.break_force = 1});
     EXPECT_EQ(leaves(std::bit_cast<Transform>(std::bit_cast<WeftTransform>(changed(Transform{}, 6)))),
               leaves(changed(Transform{}, 6)));
 }
@@ -188,6 +193,7 @@ TEST(FieldsForC, AreSeenOfAllThatAHostReads) {
     expect_one_way<WeftStepReport>(StepReport{});
     expect_one_way<WeftClothInfo>(ClothInfo{});
     expect_one_way<WeftShapeInfo>(ShapeInfo{});
+    expect_one_way<WeftSeamInfo>(SeamInfo{});
 }
 
 TEST(FieldsForC, RefuseWhatIsNoEnumerator) {

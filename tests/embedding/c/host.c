@@ -306,6 +306,26 @@ static uint32_t triangles_of(WeftWorld* world, const WeftShape* shape, float* er
     return info.triangles;
 }
 
+static void seams(WeftWorld* world, WeftClothId cloth) {
+    static const uint32_t left[2] = {0, 1}, right[2] = {2, 3};
+    WeftSeamSettings thread;
+    WeftSeamInfo info = {.struct_size = sizeof info};
+    WeftSeamId seam;
+
+    weft_seam_settings_init(&thread, sizeof thread);
+    CHECK(thread.rest_length == 0 && thread.stiffness == 0 && thread.break_force > 1e30f);
+    thread.break_force = -1;
+    REFUSES(WEFT_INVALID_ARGUMENT, "break_force",
+            weft_world_stitch(world, cloth, left, cloth, right, 2, &thread, &seam));
+    REFUSES(WEFT_INVALID_ARGUMENT, "same particle",
+            weft_world_stitch(world, cloth, left, cloth, left, 2, NULL, &seam));
+    TAKES(weft_world_stitch(world, cloth, left, cloth, right, 2, NULL, &seam));
+    TAKES(weft_world_seam_info(world, seam, &info));
+    CHECK(info.stitches == 2 && info.holding == 2 && info.a.index == cloth.index);
+    TAKES(weft_world_unstitch(world, seam));
+    REFUSES(WEFT_STALE_ID, "SeamId", weft_world_unstitch(world, seam));
+}
+
 static void solids(WeftWorld* world, WeftClothId other) {
     static const WeftVec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
     static const uint32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -407,6 +427,7 @@ uint64_t hash_of_host_in_c(const char* folder) {
     hold(world, cloth, other);
     air(world);
     solids(world, other);
+    seams(world, other);
     weft_mesh_destroy(mesh);
     weft_cooked_cloth_destroy(cooked);
     for (i = 0; i < steps; ++i) TAKES(weft_world_step(world, 1.0f / 60));

@@ -108,7 +108,11 @@ Tape calls_in_cpp(const Given& given) {
     EXPECT_TRUE(world.attach(body, other, given.corners).ok());
     EXPECT_TRUE(world.detach(other, std::span(given.corners).first(1)).ok());
     EXPECT_TRUE(world.detach_collider(ball).ok());
+    const SeamId seam = tape.note(
+        world.stitch(cloth, given.corners, other, given.corners, {.rest_length = 0.1f, .break_force = 5})
+            .value());
     world.step(1.0f / 60);
+    EXPECT_TRUE(world.unstitch(seam).ok());
     EXPECT_TRUE(world.wake(cloth).ok());
     EXPECT_TRUE(world.set_cloth_settings(cloth, {.air_damping = 0.3f}).ok());
     EXPECT_TRUE(world.set_settings({.max_speed = 40}).ok());
@@ -266,9 +270,18 @@ Tape calls_in_c(const Given& given) {
     EXPECT_EQ(weft_world_attach(world, body, other, corners.data(), 2), WEFT_OK);
     EXPECT_EQ(weft_world_detach(world, other, corners.data(), 1), WEFT_OK);
     EXPECT_EQ(weft_world_detach_collider(world, ball), WEFT_OK);
+    WeftSeamSettings thread;
+    WeftSeamId seam;
+    weft_seam_settings_init(&thread, sizeof thread);
+    thread.rest_length = 0.1f;
+    thread.break_force = 5;
+    EXPECT_EQ(weft_world_stitch(world, cloth, corners.data(), other, corners.data(), 2, &thread, &seam),
+              WEFT_OK);
+    tape.note(seam);
     EXPECT_EQ(weft_world_step(world, 1.0f / 60), WEFT_OK);
     expect_same_view(world, cloth);
     expect_same_lines(world);
+    EXPECT_EQ(weft_world_unstitch(world, seam), WEFT_OK);
     EXPECT_EQ(weft_world_wake(world, cloth), WEFT_OK);
     weft_cloth_settings_init(&settings, sizeof settings);
     settings.air_damping = 0.3f;

@@ -119,6 +119,7 @@ typedef struct WeftStepReport {
     float limit_lag;
     uint32_t crossings, unresolved_pairs, restored_cloths;
     float peak_speed, residual, milliseconds;
+    uint32_t broken_stitches;
 } WeftStepReport;
 
 typedef struct WeftClothReport {
@@ -134,6 +135,15 @@ typedef struct WeftClothReport {
     uint32_t rung, rate;
     float milliseconds;
 } WeftClothReport;
+
+// weft/seam.h
+typedef struct WeftSeamInfo {
+    uint32_t struct_size;
+    WeftClothId a, b;
+    uint32_t stitches, holding;
+    WeftVec3 force;
+    float tightest;
+} WeftSeamInfo;
 
 // weft/contact.h
 typedef struct WeftContact {

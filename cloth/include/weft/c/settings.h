@@ -218,6 +218,12 @@ typedef struct WeftBodyState {
     WeftVec3 velocity, angular_velocity;
 } WeftBodyState;
 
+// weft/seam.h
+typedef struct WeftSeamSettings {
+    uint32_t struct_size;
+    float rest_length, break_force, stiffness;
+} WeftSeamSettings;
+
 // weft/mesh.h: Mesh. Positions are three floats each, triangles three uint32_t, pattern and texcoords two
 // floats.
 typedef struct WeftMeshView {

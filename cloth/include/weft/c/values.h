@@ -80,6 +80,9 @@ typedef struct WeftShapeId {
 typedef struct WeftBodyId {
     uint32_t index, generation;
 } WeftBodyId;
+typedef struct WeftSeamId {
+    uint32_t index, generation;
+} WeftSeamId;
 
 // Objects that exist until they are destroyed.
 typedef struct WeftWorld WeftWorld;
