@@ -324,11 +324,9 @@ std::vector<Call> other_calls() {
     add("set_map_mass_contact", set_map(Map::mass, 2), contact);
     add("set_map_stiffness", set_map(Map::stiffness, 0.5f));
     add("set_map_pin", set_map(Map::pin, 0), tethered);
-    add("set_map_another_pin", [](Scene& s) {
-        std::vector<float> values(std::size_t{side} * side, 0);
-        values[values.size() / 2] = 1;  // with more links than the corner that is let go
-        return s.world.set_map(s.cloth, Map::pin, values);
-    });
+    std::vector<float> middle(std::size_t{side} * side, 0);
+    middle[middle.size() / 2] = 1;  // with more links than the corner that is let go
+    add("set_map_another_pin", [=](Scene& s) { return s.world.set_map(s.cloth, Map::pin, middle); });
     add("set_map_friction", set_map(Map::friction, 0.5f));
     add("set_map_leash", set_map(Map::leash, 0.1f));
     calls.push_back({.name = "first_leash", .make = set_map(Map::leash, 0.1f), .bare = true});
