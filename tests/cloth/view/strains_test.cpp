@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
-#include "tests/cloth/worn/worn.h"
 
 namespace weft::test {
 namespace {
