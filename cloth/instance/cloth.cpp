@@ -315,7 +315,7 @@ void Cloth::take_contacts(std::optional<ContactBuffers>&& made, bool any_collide
         contacts = std::move(made->contacts);
         if (!goes_on) state.held = std::move(made->held);
     }
-    const bool has_pairs = has_pair_rows(settings, *solver);
+    const bool with_pairs = has_pair_rows(settings, *solver);
     const bool with_surfaces = (any_colliders && meets_in_equation(settings)) || worn.has_limits();
     if (solver->is_implicit() && (with_surfaces || with_pairs)) return;
     contacts.reset();
