@@ -312,7 +312,7 @@ static std::string text_of(const MoveCloth& call) {
     return "move_cloth(" + text_of(call.by) + ")";
 }
 static std::string text_of(const ResetCloth& call) {
-    return "reset_cloth(" + text_of(call.positions) + ")";
+    return "reset_cloth(" + text_of(call.positions.front()) + " ...)";
 }
 static std::string text_of(const SetFrame& call) {
     return "set_frame(" + text_of(call.pose) + ")";
