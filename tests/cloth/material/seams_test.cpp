@@ -475,11 +475,11 @@ struct Patchwork {
             left.push_back(r * columns);
             right.push_back(r * columns + columns - 1);
         }
-        const SeamSettings weak{.rest_length = apart, .break_force = 0.8f};
+        const SeamSettings weak{.rest_length = apart, .break_force = 0.2f};
         EXPECT_TRUE(world.stitch(cloths[0], right, cloths[1], left, weak));
         EXPECT_TRUE(world.stitch(cloths[2], right, cloths[3], left, weak));
         EXPECT_TRUE(
-            world.stitch(cloths[0], bottom, cloths[2], top, {.rest_length = apart, .break_force = 1.6f}));
+            world.stitch(cloths[0], bottom, cloths[2], top, {.rest_length = apart, .break_force = 0.4f}));
         seam = world.stitch(cloths[3], top, cloths[1], bottom, {.rest_length = apart}).value();
         EXPECT_TRUE(world.pin(cloths[0], top));
         EXPECT_TRUE(world.pin(cloths[1], Vertices{columns - 1}));
