@@ -124,7 +124,7 @@ TEST(Shelters, NameWhatIsWrong) {
     refused(with(ball, [](AirShelter& s) { s.exposure = 1.5f; }), "AirShelter::exposure is 1.5");
     refused(with(ball, [](AirShelter& s) { s.position.y = nan; }), "AirShelter::position");
     refused(with(box, [](AirShelter& s) { s.half_extents.z = -1; }), "AirShelter::half_extents is -1");
-    refused(with(box, [](AirShelter& s) { s.rotation = {0, 0, 0, 3}; }), "AirShelter::rotation is 3");
+    refused(with(box, [](AirShelter& s) { s.rotation = {0, 0, 0, 0}; }), "AirShelter::rotation is 0");
     WorldSettings settings;
     settings.wind.shelters[2] = {.radius = nan};
     EXPECT_TRUE(world.set_settings(settings)) << "none has no values";
