@@ -39,7 +39,7 @@ class ContactRun::Handles final : public SceneHandles {
 ContactRun::ContactRun(ContactScene scene, SelfCollisionMethod method, int threads)
     : scene_(std::move(scene)), world_(must(World::create(with_threads(scene_.world, threads)))) {
     for (PlacedCloth& cloth : scene_.cloths) {
-        set_method(cloth.settings.self_collision, method);
+        demo::set_method(cloth.settings.self_collision, method);
         cloths_.push_back(must(world_.add_cloth(cloth.mesh, cloth.settings)));
         if (!cloth.pins.empty()) must(world_.pin(cloths_.back(), cloth.pins));
     }

@@ -23,8 +23,8 @@ Rotation turned(const Vector3& axis, float angle) {
 }
 
 /// A World without air.
-struct Bodies {
-    Bodies() : world(make_world()) {}
+struct FreeBodies {
+    FreeBodies() : world(make_world()) {}
     static World make_world() {
         WorldSettings settings;
         settings.threads = 1;
@@ -88,7 +88,7 @@ std::vector<Vec3> points_on_ball(float radius) {
 }
 
 TEST(BodyContacts, WhatFallsOnThePlaneComesToRestOnIt) {
-    Bodies scene;
+    FreeBodies scene;
     ASSERT_TRUE(scene.world.add_collider({.shape = Plane{}}));
     const BodyId ball = scene.add_ball(0.1f, {.position = {-1, 0.5f, 0}});
     const Rotation tilted = turned({1, 0, 0.3f}, 0.6f);
@@ -105,7 +105,7 @@ TEST(BodyContacts, WhatFallsOnThePlaneComesToRestOnIt) {
 
 TEST(BodyContacts, ABeamLiesOnTwoRails) {
     for (const bool round : {false, true}) {
-        Bodies scene;
+        FreeBodies scene;
         for (const float x : {-0.3f, 0.3f}) {
             Collider rail{.shape = Box{.center = {x, 0, 0}, .half_extents = {0.05f, 0.05f, 0.5f}}};
             if (round) rail.shape = Capsule{{x, 0, -0.5f}, {x, 0, 0.5f}, 0.05f};
@@ -121,7 +121,7 @@ TEST(BodyContacts, ABeamLiesOnTwoRails) {
 TEST(BodyContacts, ABoxOnASlopeFollowsCoulombsLaw) {
     constexpr float slope = 0.35f;
     for (const float friction : {0.0f, 0.2f, 0.5f}) {
-        Bodies scene;
+        FreeBodies scene;
         ASSERT_TRUE(scene.world.add_collider(
             {.shape = Plane{.normal = {std::sin(slope), std::cos(slope), 0}}, .friction = friction}));
         const Vector3 start = 0.1f * Vector3(std::sin(slope), std::cos(slope), 0);
@@ -137,7 +137,7 @@ TEST(BodyContacts, ABoxOnASlopeFollowsCoulombsLaw) {
 TEST(BodyContacts, AFastBallPassesNothingThin) {
     for (const bool of_triangles : {false, true})
         for (const float speed : {3.0f, 20.0f, 90.0f}) {
-            Bodies scene;
+            FreeBodies scene;
             Collider floor{.shape = Box{.half_extents = {1, 5e-3f, 1}}};
             if (of_triangles) floor.shape = PlacedShape{scene.world.add_shape(hills()).value()};
             ASSERT_TRUE(scene.world.add_collider(floor));
@@ -152,7 +152,7 @@ TEST(BodyContacts, AFastBallPassesNothingThin) {
 }
 
 TEST(BodyContacts, BoxesAndHullsRestOnATriangleMesh) {
-    Bodies scene;
+    FreeBodies scene;
     ASSERT_TRUE(scene.world.add_collider({.shape = PlacedShape{scene.world.add_shape(hills()).value()}}));
     const BodyId box = scene.add_box({0.1f, 0.1f, 0.1f}, {.position = {0, 0.4f, 0}});
     const std::vector<Vec3> points = points_on_ball(0.1f);
@@ -168,7 +168,7 @@ TEST(BodyContacts, BoxesAndHullsRestOnATriangleMesh) {
 }
 
 TEST(BodyContacts, ABallBouncesByTheGreaterRestitution) {
-    Bodies scene;
+    FreeBodies scene;
     ASSERT_TRUE(scene.world.add_collider({.shape = Plane{}, .restitution = 0.5f}));
     const BodyId ball = scene.add_ball(0.1f, {.position = {0, 1.1f, 0}});
     float top = 0;
@@ -182,7 +182,7 @@ TEST(BodyContacts, ABallBouncesByTheGreaterRestitution) {
 }
 
 TEST(BodyContacts, APlatformTakesABoxAlong) {
-    Bodies scene;
+    FreeBodies scene;
     const auto platform = [](float t) -> Collider {
         return {.shape = Box{.center = {0.5f * t, 0.3f * t, 0}, .half_extents = {1, 0.1f, 1}}};
     };
@@ -198,7 +198,7 @@ TEST(BodyContacts, APlatformTakesABoxAlong) {
 }
 
 TEST(BodyContacts, LayersThatShareNothingDoNotMeet) {
-    Bodies scene;
+    FreeBodies scene;
     ASSERT_TRUE(scene.world.add_collider({.shape = Plane{}, .layers = 2}));
     ASSERT_TRUE(scene.world.add_collider({.shape = Plane{.offset = -0.3f}, .is_trigger = true}));
     const BodyId ball = scene.add_ball(0.1f, {.position = {0, 0.2f, 0}});
@@ -207,7 +207,7 @@ TEST(BodyContacts, LayersThatShareNothingDoNotMeet) {
 }
 
 TEST(BodyContacts, WhatIsFoundInsideComesOutSlowly) {
-    Bodies scene;
+    FreeBodies scene;
     ASSERT_TRUE(scene.world.add_collider({.shape = Plane{}}));
     const BodyId box = scene.add_box({0.1f, 0.1f, 0.1f}, {.position = {0, 0.02f, 0}});
     for (int k = 0; k < 120; ++k) {
