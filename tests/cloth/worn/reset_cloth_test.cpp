@@ -49,8 +49,8 @@ double kinetic_energy(const World& world, ClothId cloth) {
 }
 
 /// A sheet that hangs from two corners, and swings against a ball.
-struct Swing {
-    explicit Swing(const ClothSettings& settings) : world(World::create(vacuum(downwards)).value()) {
+struct PushedSwing {
+    explicit PushedSwing(const ClothSettings& settings) : world(World::create(vacuum(downwards)).value()) {
         cloth = world.add_cloth(mesh, settings).value();
         EXPECT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, 11}));
         EXPECT_TRUE(
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(, ResetCloth, testing::ValuesIn(reset_cases()),
                          [](const auto& info) { return info.param.name; });
 
 TEST_P(ResetCloth, BeginsFromRestThere) {
-    Swing swing(GetParam().settings);
+    PushedSwing swing(GetParam().settings);
     swing.run(40);
     const std::vector<Vec3> pose = pose_of(swing.mesh, far_off);
     ASSERT_TRUE(swing.world.reset_cloth(swing.cloth, pose));
@@ -113,10 +113,10 @@ TEST_P(ResetCloth, BeginsFromRestThere) {
 }
 
 TEST_P(ResetCloth, ForgetsWhatWasBefore) {
-    Swing one(GetParam().settings), other(GetParam().settings);
+    PushedSwing one(GetParam().settings), other(GetParam().settings);
     one.run(40);
     other.run(13);
-    for (Swing* swing : {&one, &other}) {
+    for (PushedSwing* swing : {&one, &other}) {
         ASSERT_TRUE(swing->world.reset_cloth(swing->cloth, swing->mesh.positions));
         swing->run(30);
     }
@@ -195,7 +195,7 @@ TEST(ResetClothTo, TakesTheLastOfWeldedVertices) {
 }
 
 TEST(ResetClothTo, NamesWhatIsWrongAndChangesNothing) {
-    Swing swing({});
+    PushedSwing swing({});
     swing.run(5);
     const std::uint64_t before = swing.world.state_hash();
     const auto refused = [&](ClothId id, const std::vector<Vec3>& pose, const char* words) {
