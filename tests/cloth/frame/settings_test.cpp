@@ -35,6 +35,17 @@ struct Knob {
     std::function<float&(Settings&)> of;
 };
 
+AirShelter& shelter(Settings& s, AirShelterKind kind) {
+    s.world.wind.shelters[0].kind = kind;
+    return s.world.wind.shelters[0];
+}
+AirShelter& ball(Settings& s) {
+    return shelter(s, AirShelterKind::ball);
+}
+AirShelter& box(Settings& s) {
+    return shelter(s, AirShelterKind::box);
+}
+
 AirSource& jet(Settings& settings) {
     AirSource& source = settings.world.wind.sources[0];
     source.kind = AirSourceKind::jet;
@@ -92,6 +103,11 @@ std::vector<Knob> knobs() {
         {"AirSource::position", -1e5f, 1e5f, [](S& s) -> float& { return jet(s).position.x; }},
         {"AirSource::velocity", -1e3f, 1e3f, [](S& s) -> float& { return jet(s).velocity.y; }},
         {"AirSource::radius", 1e-3f, 1e5f, [](S& s) -> float& { return jet(s).radius; }},
+        {"AirShelter::position", -1e5f, 1e5f, [](S& s) -> float& { return ball(s).position.y; }},
+        {"AirShelter::half_extents", 1e-3f, 1e5f, [](S& s) -> float& { return box(s).half_extents.z; }},
+        {"AirShelter::radius", 1e-3f, 1e5f, [](S& s) -> float& { return ball(s).radius; }},
+        {"AirShelter::border", 1e-3f, 1e5f, [](S& s) -> float& { return ball(s).border; }},
+        {"AirShelter::exposure", 0, 1, [](S& s) -> float& { return ball(s).exposure; }},
         {"WorldSettings::max_speed", 1e-3f, 1e4f, [](S& s) -> float& { return s.world.max_speed; }},
         {"WorldSettings::budget", 0, 1e3f, [](S& s) -> float& { return s.world.budget; }},
     };
@@ -112,7 +128,8 @@ void for_each_number(Fields& of, const Visit& visit) {
         else if constexpr (std::ranges::range<T>)
             for_each_number(value[0], visit);
         else
-            static_assert(std::is_integral_v<T> || std::is_enum_v<T>, "a kind of setting to visit");
+            static_assert(std::is_integral_v<T> || std::is_enum_v<T> || std::is_same_v<T, Rotation>,
+                          "a kind of setting to visit");
     });
 }
 
