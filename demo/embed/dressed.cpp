@@ -48,7 +48,7 @@ std::vector<weft::TaperedCapsule> body_at(float time) {
 int main() {
     weft::World world = need(weft::World::create());
     weft::ClothSettings cloth;
-    cloth.self_collision = {.method = SelfCollisionMethod::contact};
+    cloth.self_collision = {.method = weft::SelfCollisionMethod::contact};
     const weft::ClothId skirt = need(world.add_cloth(make_skirt(), cloth));
     std::vector<weft::ColliderId> limbs;
     for (const weft::TaperedCapsule& limb : body_at(0))

@@ -46,7 +46,7 @@ bool make_world(std::uint32_t rows, std::uint32_t columns, weft::ClothSettings c
     const auto sheet = weft::make_sheet(
         {.rows = rows, .columns = columns, .origin = {-0.75f, 0.5f, 0}, .u = {1.5f, 0, 0}, .v = {0, -1, 0}});
     if (!page.takes(sheet)) return false;
-    cloth.self_collision = {.method = SelfCollisionMethod::contact};
+    cloth.self_collision = {.method = weft::SelfCollisionMethod::contact};
     const auto flag = world->add_cloth(*sheet, cloth);
     if (!page.takes(flag)) return false;
     std::vector<std::uint32_t> hoist;

@@ -19,7 +19,7 @@ int main() {
         {.time_scheme = weft::TimeScheme::bdf2},
         {.substeps = 2},
         {.tethers = {.enabled = true}},
-        {.self_collision = {.method = SelfCollisionMethod::contact}},
+        {.self_collision = {.method = weft::SelfCollisionMethod::contact}},
         {.friction = 0.5f},
     };
     [[maybe_unused]] const weft::Mesh meshes[] = {{.positions = {{0, 0, 0}}}, {.pattern = {{.x = 1}}}};

@@ -16,8 +16,11 @@ Vec3 = struct("Vec3", ("x", c.c_float), ("y", c.c_float), ("z", c.c_float))
 Vec4 = struct("Vec4", ("x", c.c_float), ("y", c.c_float), ("z", c.c_float), ("w", c.c_float))
 Id = struct("Id", ("index", c.c_uint32), ("generation", c.c_uint32))
 Source = struct("Source", ("kind", c.c_int32), ("position", Vec3), ("velocity", Vec3), ("radius", c.c_float))
+Shelter = struct("Shelter", ("kind", c.c_int32), ("position", Vec3), ("rotation", Vec4), ("half_extents", Vec3),
+                 ("radius", c.c_float), ("border", c.c_float), ("exposure", c.c_float))
 Wind = struct("Wind", ("velocity", Vec3), ("gust", c.c_float), ("gust_length", c.c_float), ("air_density", c.c_float),
-              ("drag", c.c_float), ("lift", c.c_float), ("seed", c.c_uint32), ("sources", 8 * Source))
+              ("drag", c.c_float), ("lift", c.c_float), ("seed", c.c_uint32), ("sources", 8 * Source),
+              ("shelters", 8 * Shelter))
 Executor = struct("Executor", ("run", c.c_void_p), ("user", c.c_void_p), ("width", c.c_int32))
 WorldSettings = struct("WorldSettings", ("struct_size", c.c_uint32), ("gravity", Vec3), ("wind", Wind),
                        ("max_speed", c.c_float), ("substeps", c.c_int32), ("contact_reports", c.c_int32),
