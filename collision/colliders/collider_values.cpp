@@ -121,9 +121,10 @@ PlacedShape blend(const PlacedShape& from, const PlacedShape& to, float t) {
 }  // namespace
 
 Result<void> validate_rotation(const std::string& name, const Rotation& rotation) {
-    const float length = Eigen::Vector4f(rotation.x, rotation.y, rotation.z, rotation.w).stableNorm();
-    if (!(length >= 1e-6f && length <= 1e6f))
-        return out_of_range("the length of " + name, static_cast<double>(length), "from 1e-6 to 1e6");
+    const double length =
+        Eigen::Vector4f(rotation.x, rotation.y, rotation.z, rotation.w).cast<double>().norm();
+    if (!(length >= 1e-6 && length <= 1e6))
+        return out_of_range("the length of " + name, length, "from 1e-6 to 1e6");
     return {};
 }
 

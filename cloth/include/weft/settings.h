@@ -170,7 +170,7 @@ enum class AirShelterKind : std::uint32_t {
 struct AirShelter {
     AirShelterKind kind = AirShelterKind::none;  ///< its shape
     Vec3 position{};                             ///< the middle [m], each component up to 1e5
-    Rotation rotation{};                         ///< of a box; of length 1
+    Rotation rotation{};                         ///< of a box
     Vec3 half_extents{1, 1, 1};                  ///< of a box [m], each 1e-3 to 1e5
     float radius = 1;                            ///< of a ball [m], 1e-3 to 1e5
     float border = 0.5f;  ///< distance outside over which the wind rises to its whole [m], 1e-3 to 1e5

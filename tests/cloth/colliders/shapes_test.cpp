@@ -130,7 +130,7 @@ TEST(Shapes, TheWorldKeepsShapesApartAndTogether) {
     EXPECT_EQ(code(other.shape_info(shape)), ErrorCode::stale_id);
     EXPECT_EQ(code(other.add_collider({PlacedShape{shape}})), ErrorCode::stale_id);
     EXPECT_EQ(code(world.add_collider({PlacedShape{}})), ErrorCode::stale_id);
-    EXPECT_EQ(code(world.add_collider({PlacedShape{shape, {}, {0, 0, 0, 2}}})), ErrorCode::invalid_argument);
+    EXPECT_EQ(code(world.add_collider({PlacedShape{shape, {}, {0, 0, 0, 0}}})), ErrorCode::invalid_argument);
     EXPECT_EQ(code(world.add_collider({PlacedShape{shape, {0, NAN, 0}}})), ErrorCode::invalid_argument);
 
     const ColliderId placed = world.add_collider({PlacedShape{shape, {1, 2, 3}}}).value();

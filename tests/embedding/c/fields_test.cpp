@@ -198,10 +198,10 @@ TEST(FieldsForC, AreSeenOfAllThatAHostReads) {
 
 TEST(FieldsForC, RefuseWhatIsNoEnumerator) {
     WeftClothSettings settings = to_c<WeftClothSettings>(ClothSettings{});
-    settings.self_collision.method = WEFT_SELF_IMPACT_ZONES + 1;
+    settings.self_collision.method = WEFT_SELF_AVOIDANCE_BY_SORTED_SWEEP + 1;
     const auto back = to_weft<ClothSettings>(settings);
     ASSERT_FALSE(back.ok());
-    EXPECT_EQ(back.error().message, "SelfCollision::method is 3; it must be 0 to 2");
+    EXPECT_EQ(back.error().message, "SelfCollision::method is 6; it must be 0 to 5");
     settings = to_c<WeftClothSettings>(ClothSettings{});
     settings.method.kind = -1;
     EXPECT_FALSE(to_weft<ClothSettings>(settings).ok());
