@@ -12,7 +12,7 @@
 #include "engine/vector.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::body_contacts {
 namespace {
 
 constexpr float h = 1.0f / 60, g = 9.81f;
@@ -218,4 +218,4 @@ TEST(BodyContacts, WhatIsFoundInsideComesOutSlowly) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::body_contacts
