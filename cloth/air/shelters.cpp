@@ -1,7 +1,6 @@
 #include "cloth/air/shelters.h"
 
-#include <Eigen/Geometry>
-
+#include "collision/shapes/moving_shapes.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -17,9 +16,8 @@ class Shelter {
           radius_(shelter.kind == AirShelterKind::ball ? shelter.radius : 0),
           per_border_(1 / shelter.border),
           exposure_(shelter.exposure) {
-        const Rotation& r = shelter.rotation;
         if (shelter.kind == AirShelterKind::box)
-            to_own_ = Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized().conjugate().toRotationMatrix();
+            to_own_ = unit(shelter.rotation).conjugate().toRotationMatrix();
     }
     /// The factor of the wind at a point: a smooth step across the border.
     [[nodiscard]] float factor(const Vector3& point) const {

@@ -17,7 +17,7 @@ bool is_present(const Simulation& world, const Cloth& cloth) {
 }
 
 bool has_contact(const Cloth& cloth) {
-    return cloth.has_features() && !has_zones(cloth.settings.self_collision);
+    return cloth.settings.self_collision.method == SelfCollisionMethod::contact;
 }
 
 /// Contact keeps the cloths' features apart, so stitches that were shorter would fight it.

@@ -79,8 +79,8 @@ Side side_of(const ClothView& view, std::uint32_t triangle, std::size_t corner) 
             static_cast<double>(to.y) - static_cast<double>(from.y)};
 }
 
-/// Whether the vertex is a corner of the triangle of its particle; true if the mesh does not tell vertices of
-/// one particle apart.
+/// Says whether the vertex is a corner of the triangle of its particle; true if the mesh does not tell
+/// vertices of one particle apart.
 bool has_vertex(const ClothView& view, std::uint32_t triangle, std::uint32_t vertex) noexcept {
     if (view.vertex_triangles.empty()) return true;
     const Triangle& vertices = view.vertex_triangles[triangle];

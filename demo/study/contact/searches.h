@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "collision/particles/self_contacts.h"
 #include "demo/study/charts/csv.h"
 #include "demo/study/study_options.h"
-#include "collision/particles/self_contacts.h"
 
 namespace weft::study {
 

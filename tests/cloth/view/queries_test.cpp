@@ -55,7 +55,7 @@ struct Heap {
     ClothId off;
 };
 
-/// Of the ray's equation, solved: from + s direction = x0 + u (x1 - x0) + v (x2 - x0).
+/// The solution (s, u, v) of the ray's equation: from + s direction = x0 + u (x1 - x0) + v (x2 - x0).
 std::optional<double> hit(const Vector3d& from, const Vector3d& direction, const std::array<Vector3d, 3>& x) {
     Eigen::Matrix3d columns;
     columns << x[1] - x[0], x[2] - x[0], -direction;

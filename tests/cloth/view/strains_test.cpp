@@ -95,7 +95,7 @@ TEST(Strains, AreTheMeanOfTheTrianglesRound) {
     }
 }
 
-// Of cloth that hangs: the weight below over the stiffness.
+// Cloth that hangs has a strain of the weight below over its stiffness.
 TEST(Strains, OfAHungStripAreItsWeightOverItsStiffness) {
     World world = World::create(vacuum(downwards)).value();
     ClothSettings settings;

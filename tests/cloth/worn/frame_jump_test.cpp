@@ -106,7 +106,7 @@ TEST(FrameJump, IsNoneWhereTheFrameStaysBelowBothLimits) {
     EXPECT_EQ(one.world.state_hash(), other.world.state_hash());
 }
 
-// What the host leaves alone goes along: pins, and a skin.
+// Pins and a skin go along where the host leaves them alone.
 TEST(FrameJump, TakesAlongWhatTheHostHasNotMoved) {
     World world = World::create(vacuum({})).value();
     const Mesh mesh = hanging(8, 8);
