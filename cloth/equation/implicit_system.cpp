@@ -1,5 +1,6 @@
 #include "cloth/equation/implicit_system.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -44,6 +45,13 @@ void ImplicitSystem::precondition(Parallel& parallel, std::span<const Vec4> b, f
                                   std::span<Vec4> x) const {
     parallel.ranges(stencil().nodes,
                     [&](const BlockRange& range) { precondition_rows(range, b.data(), step, x.data()); });
+}
+
+void ImplicitSystem::precondition_group(std::uint32_t i, std::span<const Vec4> b, float step,
+                                        std::span<Vec4> x) const {
+    const std::uint32_t begin = i - i % Stencil::lanes;
+    const std::uint32_t end = std::min(begin + Stencil::lanes, stencil().nodes);
+    precondition_rows({.begin = begin, .end = end, .block = 0}, b.data(), step, x.data());
 }
 
 void ImplicitSystem::subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,

@@ -95,6 +95,8 @@ class ImplicitSystem {
                std::span<Vec4> next);
     /// x = step D^-1 b: relaxation from 0.
     void precondition(Parallel& parallel, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
+    /// precondition() of the group of rows that particle i is in.
+    void precondition_group(std::uint32_t i, std::span<const Vec4> b, float step, std::span<Vec4> x) const;
     /// The first step of a V-cycle: remainder = b - W x with x = step D^-1 b. A system whose
     /// relax_corrected() computes x again does not store it.
     virtual void subtract_first_step(Parallel& parallel, std::span<const Vec4> b, float step,

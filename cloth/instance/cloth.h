@@ -198,6 +198,11 @@ struct Cloth {
         whole = std::move(made.whole);
     }
 
+    /// Whether these settings need other levels: another system, other springs, or room for contact.
+    [[nodiscard]] bool has_other_levels(const ClothSettings& changed) const {
+        return !solver->serves(changed) || changed.fabric.bending_ratio != settings.fabric.bending_ratio ||
+               weft::has_features(changed.self_collision) != has_features();
+    }
     /// The buffers for these seams in place of its own, in the order of ids. Precondition: can_join().
     [[nodiscard]] SeamBuffers make_seams(std::vector<SeamRows*>&& list);
     void take_seams(SeamBuffers&& made) noexcept;
@@ -286,6 +291,7 @@ struct Cloth {
     bool shares_contact_mesh = false;        ///< the mesh is the CookedCloth's
     ExpectedWay expected;                    ///< only with features: motion in the present substep
     std::vector<SeamRows*> seams;            ///< by id; the World owns them
+    CommonLevels sewn;                       ///< null, unless it has seams
     std::uint32_t place = 0;                 ///< among the cloths that the step takes; see join_seams()
     const StepEquation* equation = nullptr;  ///< while its set is solved
     std::uint32_t group = 0;        ///< in the present substep: place of the group's first cloth in the step

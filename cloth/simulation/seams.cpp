@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloth/simulation/sewn.h"
 #include "cloth/simulation/simulation.h"
 
 namespace weft {
@@ -36,6 +37,7 @@ SeamId Simulation::add_seam(SeamState&& seam) {
     const std::size_t stitches = seam.stitches.size();
     const SeamId id = state.seams.insert(std::move(seam));
     std::vector<SeamBuffers> buffers;
+    Sewn sewn;
     Room room;
     or_undo(
         [&] {
@@ -48,11 +50,13 @@ SeamId Simulation::add_seam(SeamState&& seam) {
                                      cloth->contact_mesh.get(), true});
             }
             room = make_room(newcomers, parallel.width());
+            sewn = sew(*this, state.seams.find(id)->cloths.front());
         },
         [&] { state.seams.erase(id); });
 
     // From here on nothing can fail.
     take(std::move(room));
+    sewn.give_to(*this);
     for (std::size_t k = 0; k < joined.size(); ++k) {
         joined[k]->take_seams(std::move(buffers[k]));
         joined[k]->wake();
@@ -60,14 +64,20 @@ SeamId Simulation::add_seam(SeamState&& seam) {
     return id;
 }
 
-void Simulation::remove_seam(SeamId id) noexcept {
-    for (const ClothId of : state.seams.find(id)->cloths) {
-        Cloth& cloth = **cloths.find(of);
-        cloth.drop_seam(seam_rows[id.index].get());
-        cloth.wake();
+void Simulation::remove_seams(std::span<const SeamId> seams) {
+    const std::vector<Sewn> left = sew_after(*this, {.removed = seams});
+
+    // From here on nothing can fail.
+    for (const Sewn& sewn : left) sewn.give_to(*this);
+    for (const SeamId id : seams) {
+        for (const ClothId of : state.seams.find(id)->cloths) {
+            Cloth& cloth = **cloths.find(of);
+            cloth.drop_seam(seam_rows[id.index].get());
+            cloth.wake();
+        }
+        seam_rows[id.index].reset();
+        state.seams.erase(id);
     }
-    seam_rows[id.index].reset();
-    state.seams.erase(id);
 }
 
 SeamInfo Simulation::info_of(SeamId id) const {

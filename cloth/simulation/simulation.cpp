@@ -10,6 +10,7 @@
 
 #include "cloth/air/air_sources.h"
 #include "cloth/air/shelters.h"
+#include "cloth/simulation/sewn.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/platform.h"
 
@@ -161,17 +162,23 @@ ClothId Simulation::add(std::unique_ptr<Cloth>&& cloth) {
 
 void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
     const SelfCollision& of = changed.self_collision;
+    const bool has_other_levels = cloth.sewn.levels && cloth.has_other_levels(changed);
     Room room;
+    Sewn sewn;
     or_undo(
         [&] {
             if (has_features(of)) cloth.make_contact_mesh();
             cloth.apply(changed, [&](std::size_t bytes) {
+                if (has_other_levels)
+                    sewn = sew(*this, state.seams.find(cloth.seams.front()->id())->cloths.front(),
+                               {.other = {&cloth, &changed}});
                 const Newcomer newcomer{&cloth, bytes, of, cloth.contact_mesh.get(), !cloth.seams.empty()};
                 room = make_room({&newcomer, 1}, parallel.width());
             });
         },
         [&] { cloth.drop_contact_mesh(); });
     take(std::move(room));
+    sewn.give_to(*this);
 }
 
 void Simulation::set_map(Cloth& cloth, Map map, AlignedBuffer<float>&& values) {

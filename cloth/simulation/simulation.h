@@ -99,8 +99,8 @@ struct Simulation {
 
     /// Adds a seam, whose cloths exist and can join. See seams.cpp.
     SeamId add_seam(SeamState&& seam);
-    /// Precondition: the seam exists.
-    void remove_seam(SeamId id) noexcept;
+    /// Precondition: the seams exist. A call that runs out of memory removes none.
+    void remove_seams(std::span<const SeamId> seams);
     /// Wakes the cloths that seams join to a cloth.
     void wake_joined(const Cloth& cloth) noexcept;
     [[nodiscard]] SeamInfo info_of(SeamId id) const;

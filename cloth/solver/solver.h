@@ -41,6 +41,13 @@ struct SolveResult {
     bool is_rough = false;
 };
 
+/// Levels that a cloth has in common with what is sewn to it; null: none.
+struct CommonLevels {
+    std::shared_ptr<Multigrid> levels;
+    std::uint32_t part = 0;  ///< the cloth's number among theirs
+    std::size_t bytes = 0;   ///< of the levels, with their vectors; counted by the first cloth
+};
+
 /// Owns the state of its method that lasts from substep to substep. Everything else lies in scratch, so that
 /// cloths that are solved one after the other share it.
 class Solver {

@@ -166,8 +166,9 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
                                      .velocities = cloth.scratch_velocities.span(),
                                      .wants_residual = part.is_last() && is_residual_due(world, cloth)});
         if (cloth.can_join())
-            std::construct_at(&group.members[m],
-                              static_cast<MultilevelSolver&>(*cloth.solver).member(group.steps[m]));
+            std::construct_at(
+                &group.members[m],
+                static_cast<MultilevelSolver&>(*cloth.solver).member(group.steps[m], cloth.sewn));
     }
     begin_seams(world, set, gamma);
     if (!any_pairs) return;

@@ -78,7 +78,7 @@ std::size_t Cloth::own_bytes() const {
            air.forces.bytes() + air.velocities.bytes() + collider_impulses.bytes() +
            missing_impulses.bytes() + in_triggers.bytes() + part_start.bytes() +
            (whole ? whole->bytes() : 0) + body_buffers.bytes() +
-           collected.capacity() * sizeof(CollectedShare) + seams.capacity() * sizeof(SeamRows*) +
+           collected.capacity() * sizeof(CollectedShare) + seams.capacity() * sizeof(SeamRows*) + sewn.bytes +
            attached.capacity() * sizeof(Attachment) + partial_counts.bytes() + partial_sums.bytes() +
            partial_surveys.bytes() + (shown ? shown->bytes() : 0) + (budgeted ? sizeof(Budgeted) : 0);
 }

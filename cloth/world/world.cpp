@@ -134,8 +134,10 @@ Result<void> World::remove_cloth(ClothId id) {
         Simulation& simulation = impl_->simulation;
         const auto* const cloth = simulation.cloths.find(id);
         if (cloth == nullptr) return stale_id("ClothId", id);
+        std::vector<SeamId> seams;
+        for (const SeamRows* seam : (*cloth)->seams) seams.push_back(seam->id());
+        simulation.remove_seams(seams);
         simulation.wake_near(**cloth);
-        while (!(*cloth)->seams.empty()) simulation.remove_seam((*cloth)->seams.back()->id());
         simulation.cloths.erase(id);
         *simulation.views[id.index] = {};
         simulation.cloth_has_gone();

@@ -7,6 +7,7 @@
 
 #include "cloth/mesh/cooking/log_repairs.h"
 #include "cloth/record/world_calls.h"
+#include "cloth/simulation/sewn.h"
 #include "engine/error_text.h"
 
 namespace weft {
@@ -126,7 +127,9 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
             simulation.prepare(*next);
             next->go_on_from(cloth, *sources, simulation.state.colliders.size());
             simulation.state_has_changed(*next);
+            const Sewn sewn = sew(simulation, id, {.moved = seams, .cut = {id, next.get()}});
             simulation.replace(id, std::move(next));
+            sewn.give_to(simulation);
             for (auto& [seam, state] : seams) *simulation.state.seams.find(seam) = std::move(state);
             log_repairs(info);
             return {};

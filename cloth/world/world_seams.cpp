@@ -92,7 +92,7 @@ Result<SeamId> World::stitch(ClothId a, std::span<const std::uint32_t> vertices_
 Result<void> World::unstitch(SeamId id) {
     return impl_->change(Call::unstitch, id)([&]() -> Result<void> {
         if (impl_->simulation.state.seams.find(id) == nullptr) return stale_id("SeamId", id);
-        impl_->simulation.remove_seam(id);
+        impl_->simulation.remove_seams({&id, 1});
         return {};
     });
 }

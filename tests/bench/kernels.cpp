@@ -178,9 +178,9 @@ Kernels::Kernels(Scene& scene) : work_(std::make_unique<Work>(scene)) {
     add("precondition", precondition_traffic(),
         [&w, &parallel, b] { w.system->precondition(parallel, b, 0.8f, w.y.span()); });
     add("coarse operators", build_traffic(springs, coarse),
-        [&w, &parallel] { w.multigrid->build(parallel, *w.system); });
+        [&w, &parallel] { w.multigrid->build(parallel); });
     add("V-cycle", cycle_traffic(c, coarse),
-        [&w, &parallel, b] { w.multigrid->cycle(parallel, *w.system, b, w.y.span()); });
+        [&w, &parallel, b] { w.multigrid->cycle(parallel, b, w.y.span()); });
     add("xpbd sweep", xpbd_traffic(springs), [&w, &parallel] {
         sweep_springs(parallel, w.colours, 0, {.first = true, .last = true}, w.springs, w.start.data(),
                       w.moved.data());

@@ -55,7 +55,7 @@ void restrict_to(Parallel& parallel, const Interpolation& p, std::span<const Vec
 }
 
 void prolong_from(Parallel& parallel, const Correction& correction, std::span<Vec4> fine) {
-    parallel.ranges(correction.p.fine, [&](const BlockRange& range) {
+    parallel.ranges(static_cast<std::uint32_t>(fine.size()), [&](const BlockRange& range) {
         HWY_DYNAMIC_DISPATCH(prolong_rows)(correction, range, fine.data());
     });
 }

@@ -18,17 +18,18 @@ void coarse_ranges(Parallel& parallel, std::uint32_t nodes, const Body& body) {
     parallel.ranges(nodes, body, size);
 }
 
-/// P e of a coarse vector e, with weights in place of P's own.
+/// P e of a coarse vector e, with weights in place of P's own. A fine vector may begin at another row of P.
 struct Correction {
     const Interpolation& p;
     std::span<const float> weights;
     std::span<const Vec4> coarse;
+    std::uint32_t first = 0;  ///< the row of P of the fine vector's first node
 };
 
 /// coarse = P^T fine.
 void restrict_to(Parallel& parallel, const Interpolation& p, std::span<const Vec4> fine,
                  std::span<Vec4> coarse);
-/// fine += P e.
+/// fine += P e, at all nodes of `fine`.
 void prolong_from(Parallel& parallel, const Correction& correction, std::span<Vec4> fine);
 
 }  // namespace weft

@@ -171,33 +171,34 @@ void CoarsePairs::add_to_list(const PairRows::ActivePair& active) {
     if (listed_ < active_.size()) std::construct_at(&active_[listed_++], active);
 }
 
-void CoarsePairs::list(PairRows& pairs, std::uint32_t first, std::uint32_t particles) {
-    pairs.for_each_active_of(first, particles, [&](const auto& active) { add_to_list(active); });
+void CoarsePairs::list(PairRows& pairs, const Numbering& number) {
+    if (const auto ranges = number.ranges(); ranges.size() == 1)
+        pairs.for_each_active_of(ranges[0].in_equation, ranges[0].count,
+                                 [&](const auto& active) { add_to_list(active); });
+    else
+        pairs.for_each_active([&](const auto& active) {
+            if (number.has_any_corner(active.pair)) add_to_list(active);
+        });
 }
 
-void CoarsePairs::list(const SeamRows& seam, std::uint32_t first, std::uint32_t particles) {
-    seam.for_each_active_of(first, particles, [&](const auto& active) { add_to_list(active); });
-}
-
-CoarsePairs::Key CoarsePairs::key_of(const PairRows::ActivePair& active, std::uint32_t first,
+CoarsePairs::Key CoarsePairs::key_of(const PairRows::ActivePair& active, const Numbering& number,
                                      const Interpolation& p, std::span<const float> weights) {
     std::uint32_t most = 0, least = 0;
     for (std::uint32_t c = 1; c < 4; ++c) {
         if (active.shape.weight(c) > active.shape.weight(most)) most = c;
         if (active.shape.weight(c) < active.shape.weight(least)) least = c;
     }
-    return key_between(p, weights, active.pair.corners[most] - first, active.pair.corners[least] - first);
+    return key_between(p, weights, number(active.pair.corners[most]), number(active.pair.corners[least]));
 }
 
-void CoarsePairs::gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
+void CoarsePairs::gather(Parallel& parallel, const Numbering& number, const Interpolation& p,
                          std::span<const float> weights) {
     const std::uint32_t count = listed_;
-    const std::size_t particles = weights.size() / Interpolation::width;
     std::atomic<bool> any_outer = false;
     parallel.ranges(count, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
-            const bool inner = is_inner(active_[k], first, particles);
-            keys_[k] = inner ? key_of(active_[k], first, p, weights) : Key{none, none, 1};
+            const bool inner = number.has_all_corners(active_[k].pair);
+            keys_[k] = inner ? key_of(active_[k], number, p, weights) : Key{none, none, 1};
             if (!inner) any_outer.store(true, std::memory_order_relaxed);
         }
     });
@@ -206,7 +207,7 @@ void CoarsePairs::gather(Parallel& parallel, std::uint32_t first, const Interpol
         const PairRows::ActivePair& active = active_[k];
         if (sum != nullptr)
             for (std::uint32_t c = 0; c < 4; ++c)
-                sum->add(p, weights, active.pair.corners[c] - first, keys_[k].sign * active.shape.weight(c));
+                sum->add(p, weights, number(active.pair.corners[c]), keys_[k].sign * active.shape.weight(c));
         return active.stiffness();
     });
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Contact of a cloth with itself on the coarse levels of its multigrid cycle. Without contact the levels
-// would push layers through each other. With contact as a ground that holds each side, they would keep layers
-// that touch from moving together.
+// Contact of a cloth with itself, or of cloths that share their levels, on the coarse levels of a multigrid
+// cycle. Without contact the levels would push layers through each other. With contact as a ground that holds
+// each side, they would keep layers that touch from moving together.
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,40 @@
 #include <span>
 
 #include "cloth/equation/pair_rows.h"
-#include "cloth/equation/seam_rows.h"
 #include "cloth/equation/sparse/interpolation.h"
 #include "engine/memory/scratch.h"
 #include "engine/simd/symmetric3.h"
 #include "engine/threads/parallel_blocks.h"
 
 namespace weft {
+
+/// How levels number the particles of an equation: one cloth after the other.
+class Numbering {
+  public:
+    static constexpr std::uint32_t none = ~0u;
+    /// A cloth's particles in the equation and in the levels.
+    struct Range {
+        std::uint32_t in_equation, first, count;
+    };
+    explicit Numbering(std::span<const Range> ranges) : ranges_(ranges) {}
+
+    /// The number in the levels of a particle of the equation; none, if its cloth is not one of them.
+    [[nodiscard]] std::uint32_t operator()(std::uint32_t particle) const noexcept {
+        for (const Range& range : ranges_)
+            if (const std::uint32_t i = particle - range.in_equation; i < range.count) return range.first + i;
+        return none;
+    }
+    [[nodiscard]] bool has_all_corners(const FeaturePair& pair) const noexcept {
+        return std::ranges::all_of(pair.corners, [&](std::uint32_t i) { return (*this)(i) != none; });
+    }
+    [[nodiscard]] bool has_any_corner(const FeaturePair& pair) const noexcept {
+        return std::ranges::any_of(pair.corners, [&](std::uint32_t i) { return (*this)(i) != none; });
+    }
+    [[nodiscard]] std::span<const Range> ranges() const noexcept { return ranges_; }
+
+  private:
+    std::span<const Range> ranges_;
+};
 
 /// Rows K c c^T: K acts on the sum of c x over the nodes that c names; the weights of c add up to 0. A coarse
 /// row merges all fine rows between the same two nodes: it has the sum of their K and, of the first few, the
@@ -40,14 +67,12 @@ class CoarsePairs {
     void lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t nodes);
     [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
 
-    /// Adds the pairs that push any of a cloth's `particles`, numbered from `first` on, to those listed. Only
-    /// one cloth at a time may call this: the pairs mark what they list.
-    void list(PairRows& pairs, std::uint32_t first, std::uint32_t particles);
-    /// Likewise the stitches of a seam.
-    void list(const SeamRows& seam, std::uint32_t first, std::uint32_t particles);
-    /// Makes rows of the listed pairs whose corners are all the cloth's. P leads from the first coarse level
+    /// Lists the pairs that push any particle of the levels' cloths. Only one thread at a time may call this
+    /// for the same pairs, which mark what they list.
+    void list(PairRows& pairs, const Numbering& number);
+    /// Makes rows of the listed pairs whose corners are all the levels'. P leads from the first coarse level
     /// to the particles; `weights` are P's, 0 where pinned.
-    void gather(Parallel& parallel, std::uint32_t first, const Interpolation& p,
+    void gather(Parallel& parallel, const Numbering& number, const Interpolation& p,
                 std::span<const float> weights);
     [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept {
         return active_.span().first(listed_);
@@ -55,13 +80,7 @@ class CoarsePairs {
     /// Makes rows of a finer coarse level's rows.
     void gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p);
 
-    /// Whether all corners of a pair are particles of the cloth, which has so many from `first` on.
-    [[nodiscard]] static bool is_inner(const PairRows::ActivePair& active, std::uint32_t first,
-                                       std::size_t particles) {
-        return std::ranges::all_of(active.pair.corners,
-                                   [&](std::uint32_t i) { return i - first < particles; });
-    }
-    /// Whether gather() met listed pairs that are not of this cloth alone.
+    /// Whether gather() met listed pairs with corners outside the levels.
     [[nodiscard]] bool has_outer() const noexcept { return has_outer_; }
 
     void clear() noexcept {
@@ -96,7 +115,7 @@ class CoarsePairs {
 
     [[nodiscard]] static Key key_between(const Interpolation& p, std::span<const float> of_p,
                                          std::uint32_t most, std::uint32_t least);
-    [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, std::uint32_t first,
+    [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, const Numbering& number,
                                     const Interpolation& p, std::span<const float> weights);
     void sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows);
     void add_to_list(const PairRows::ActivePair& active);

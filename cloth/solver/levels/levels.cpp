@@ -196,6 +196,12 @@ bool fit(const SavedLevels& levels, std::uint32_t particles, std::size_t entries
 std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system, SavedLevels* saved) {
     if (saved != nullptr && (saved->springs || fit(*saved, model.particle_count, system.entries())))
         return std::make_unique<Multigrid>(system, std::move(*saved), model.particle_count);
+    const AlignedBuffer<Vec4> positions = linearise_at_rest(model, system);
+    Parallel serial(1);
+    return std::make_unique<Multigrid>(serial, system, positions.span());
+}
+
+AlignedBuffer<Vec4> linearise_at_rest(const ClothModel& model, ImplicitSystem& system) {
     Parallel serial(1);
     const ClothSettings settings;
     const AlignedBuffer<Vec4> at_rest(model.particle_count);
@@ -214,7 +220,7 @@ std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& 
                                 .base_velocities = at_rest.span(),
                                 .external = {}};
     system.linearise(serial, equation, at_rest.span(), LinearisedAbout::base);
-    return std::make_unique<Multigrid>(serial, system, free.span());
+    return free;
 }
 
 }  // namespace weft

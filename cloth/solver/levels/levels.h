@@ -17,4 +17,7 @@ namespace weft {
 [[nodiscard]] std::unique_ptr<Multigrid> make_levels(const ClothModel& model, ImplicitSystem& system,
                                                      SavedLevels* saved = nullptr);
 
+/// Linearises a cloth's system about its first positions, with the default fabric, and returns these.
+[[nodiscard]] AlignedBuffer<Vec4> linearise_at_rest(const ClothModel& model, ImplicitSystem& system);
+
 }  // namespace weft

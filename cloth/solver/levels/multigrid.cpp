@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cloth/equation/seam_rows.h"
 #include "cloth/equation/sparse/vectors.h"
 
 namespace weft {
@@ -22,64 +23,158 @@ constexpr Chebyshev2 chebyshev2(float low, float high) {
     const float rho = 1 / (2 * sigma - 1 / sigma);
     return {{1 / centre, 0}, {2 * rho / (0.5f * (high - low)), rho / sigma}};
 }
-// The spectrum of D^-1 W ends below 2 on the finest level. On coarse ones, where blocks may be
-// indefinite, 3.4 was measured; the polynomial for [0.6, 3] damps up to 3.6.
-constexpr float finest_step = 2 / (0.4f + 2.0f);
+// On coarse levels, where blocks may be indefinite, the spectrum of D^-1 W was measured to end at 3.4; the
+// polynomial for [0.6, 3] damps up to 3.6.
 constexpr Chebyshev2 coarse_smoothing = chebyshev2(0.6f, 3.0f);
 constexpr float first_coarse_step = 2 / (0.5f + 3.0f);
 
-SpringGraph graph_of(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions) {
+/// Adds the rows of a cloth whose particles are numbered from `first` on.
+void add_rows(Parallel& parallel, const Multigrid::Source& cloth, std::uint32_t first, SpringGraph& graph) {
+    ImplicitSystem& system = cloth.system;
     const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(parallel);
-    SpringGraph graph;
-    graph.offsets.push_back(0);
     for (std::uint32_t i = 0; i < system.stencil().nodes; ++i) {
         const ImplicitSystem::Neighbours row = system.neighbours_of(i);
         for (std::uint32_t k = 0; k < row.count; ++k) {
             const std::uint32_t j = row[k];
             if (j == i) continue;
             const std::uint32_t entry = system.entry_between(i, j);
-            graph.neighbours.push_back(j);
+            graph.neighbours.push_back(first + j);
             // Links of bending alone, and of bending that pushes apart, interpolate nothing.
             const float stiffness = 3 * blocks[entry].w + xyz(blocks[entry]).squaredNorm();
             graph.stiffness.push_back(std::max(stiffness, 0.0f));
-            graph.lengths.push_back((xyz(positions[j]) - xyz(positions[i])).norm());
+            graph.lengths.push_back((xyz(cloth.positions[j]) - xyz(cloth.positions[i])).norm());
         }
         graph.offsets.push_back(static_cast<std::uint32_t>(graph.neighbours.size()));
+    }
+}
+
+SpringGraph graph_of(Parallel& parallel, std::span<const Multigrid::Source> cloths) {
+    const std::vector<std::uint32_t> firsts = Multigrid::first_particles(cloths);
+    SpringGraph graph;
+    graph.offsets.push_back(0);
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        graph.offsets.resize(firsts[k] + std::size_t{1}, graph.offsets.back());
+        add_rows(parallel, cloths[k], firsts[k], graph);
     }
     return graph;
 }
 
+/// Sorts numbers or links, each once.
+template <class Value>
+void make_set(std::vector<Value>& values) {
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+bool is_linked(const SpringGraph& graph, const Link& link) {
+    return std::ranges::binary_search(graph.neighbours.begin() + graph.offsets[link.first],
+                                      graph.neighbours.begin() + graph.offsets[link.first + 1], link.second);
+}
+
+/// The graph with stitches as springs of no length, as stiff as the stiffest of it.
+SpringGraph with_stitches(const SpringGraph& graph, const std::vector<Link>& stitches) {
+    std::vector<Link> at_ends = stitches;
+    for (const Link& link : stitches) at_ends.push_back({link.second, link.first});
+    std::ranges::sort(at_ends);
+    const float stiffest = graph.stiffness.empty() ? 0 : std::ranges::max(graph.stiffness);
+    SpringGraph sum;
+    sum.offsets.push_back(0);
+    auto stitch = at_ends.begin();
+    const auto add = [&](std::uint32_t neighbour, float stiffness, float length) {
+        sum.neighbours.push_back(neighbour);
+        sum.stiffness.push_back(stiffness);
+        sum.lengths.push_back(length);
+    };
+    for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
+        const auto add_stitches_below = [&](std::uint32_t end) {
+            for (; stitch != at_ends.end() && stitch->first == i && stitch->second < end; ++stitch)
+                add(stitch->second, stiffest, 0);
+        };
+        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
+            add_stitches_below(graph.neighbours[e]);
+            add(graph.neighbours[e], graph.stiffness[e], graph.lengths[e]);
+        }
+        add_stitches_below(graph.nodes());
+        sum.offsets.push_back(static_cast<std::uint32_t>(sum.neighbours.size()));
+    }
+    return sum;
+}
+
 }  // namespace
 
-Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
-    : system_(&system), pinned_(positions.size()) {
-    SpringGraph graph = graph_of(parallel, system, positions);
-    std::vector<Link> links = links_of(graph);
-    std::vector<std::uint32_t> slots, numbers;
-    std::vector<Link> constant_links;
-    std::vector<float> weights;
-    for (const Link& link : links) {
-        const float weight = system.constant_block(link.first, link.second);
-        numbers.push_back(weight != 0 ? static_cast<std::uint32_t>(constant_links.size()) : none);
-        if (weight == 0) {
-            slots.push_back(system.entry_between(link.first, link.second) / Stencil::lanes);
-            continue;
-        }
-        constant_links.push_back(link);
-        weights.push_back(weight);
+std::vector<std::uint32_t> Multigrid::first_particles(std::span<const Source> cloths) {
+    std::vector<std::uint32_t> firsts;
+    std::uint32_t end = 0;
+    for (const Source& cloth : cloths) {
+        firsts.push_back(Stencil::whole_groups(end));
+        end = firsts.back() + cloth.system.stencil().nodes;
     }
-    std::ranges::sort(slots);
-    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
-    slots_ = SharedBuffer<std::uint32_t>(slots);
-    constants_.links = SharedBuffer<Link>(constant_links);
-    constants_.weights = SharedBuffer<float>(weights);
-    make_levels(std::move(graph), std::move(links), numbers);
+    firsts.push_back(end);
+    return firsts;
+}
+
+Multigrid::Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
+    : Multigrid(parallel, std::array{Source{system, positions}}, {}) {
     set_pins(positions);
     lay_out_alone();
 }
 
-Multigrid::Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles)
-    : system_(&system),
+Multigrid::Multigrid(Parallel& parallel, std::span<const Source> cloths, std::vector<Link> stitches)
+    : ranges_(cloths.size()), stitches_(std::move(stitches)), pinned_(first_particles(cloths).back()) {
+    for (const Link& link : stitches_) stitched_.insert(stitched_.end(), {link.first, link.second});
+    make_set(stitched_);
+    make_set(stitches_);
+    SpringGraph graph = graph_of(parallel, cloths);
+    std::erase_if(stitches_, [&](const Link& link) { return is_linked(graph, link); });
+    if (!stitches_.empty()) graph = with_stitches(graph, stitches_);
+    std::vector<Link> links = links_of(graph);
+    std::vector<std::uint32_t> numbers(links.size(), none);
+    std::vector<std::uint32_t> slots;
+    std::vector<Link> constant_links;
+    std::vector<float> weights;
+    const std::vector<std::uint32_t> firsts = first_particles(cloths);
+    auto link = links.begin();
+    for (std::size_t k = 0; k < cloths.size(); ++k) {
+        ImplicitSystem& system = cloths[k].system;
+        const std::uint32_t first = firsts[k], count = system.stencil().nodes;
+        std::vector<std::uint32_t> own;
+        for (; link != links.end() && link->first < first + count; ++link) {
+            if (std::ranges::binary_search(stitches_, *link)) continue;
+            const std::uint32_t i = link->first - first, j = link->second - first;
+            // The constants of two cloths have two scales, so that common levels have none.
+            const float weight = is_common() ? 0 : system.constant_block(i, j);
+            if (weight == 0) {
+                own.push_back(system.entry_between(i, j) / Stencil::lanes);
+                continue;
+            }
+            numbers[static_cast<std::size_t>(link - links.begin())] =
+                static_cast<std::uint32_t>(constant_links.size());
+            constant_links.push_back(*link);
+            weights.push_back(weight);
+        }
+        make_set(own);
+        parts_.push_back({.system = &system,
+                          .first = first,
+                          .count = count,
+                          .first_slot = static_cast<std::uint32_t>(slots.size()),
+                          .slots = static_cast<std::uint32_t>(own.size())});
+        slots.insert(slots.end(), own.begin(), own.end());
+    }
+    slots_ = SharedBuffer<std::uint32_t>(slots);
+    constants_.links = SharedBuffer<Link>(constant_links);
+    constants_.weights = SharedBuffer<float>(weights);
+    if (is_common()) held_.reserve(2 * links.size());
+    make_levels(std::move(graph), std::move(links), numbers);
+    if (is_common()) leave();
+}
+
+Multigrid::Multigrid(ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles)
+    : parts_{{.system = &system,
+              .first = 0,
+              .count = particles,
+              .first_slot = 0,
+              .slots = static_cast<std::uint32_t>(saved.slots.size())}},
+      ranges_(1),
       slots_(std::move(saved.slots)),
       constants_{std::move(saved.constant_links), std::move(saved.constant_weights)},
       pinned_(particles) {
@@ -101,7 +196,7 @@ void Multigrid::lay_out(Scratch& scratch, std::size_t pairs) {
     scratch.take(smooth_, pinned_.size());
     scratch.take(remainder_, pinned_.size());
     if (coarse_.empty()) return;
-    scratch.take(springs_, slots_.size() * Stencil::lanes);
+    scratch.take(springs_, slots_.size() * Stencil::lanes + stitches_.size());
     for (CoarseLevel& level : coarse_) {
         level.lay_out(scratch, pairs);
         pairs = level.pairs().room();
@@ -117,7 +212,7 @@ SavedLevels Multigrid::constant_part() const {
         part.constant_sums = SharedBuffer<float>(coarse_.front().lists().constants.sums.span());
     part.levels.reserve(coarse_.size());
     for (const CoarseLevel& level : coarse_) part.levels.push_back(level.constant_part());
-    part.springs = system_->springs();
+    part.springs = parts_.front().system->springs();
     return part;
 }
 
@@ -158,153 +253,44 @@ void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
     coarse_.shrink_to_fit();
 }
 
-void Multigrid::sum_constant(std::uint32_t k) noexcept {
-    GalerkinLists::Constants& terms = coarse_.front().constants();
-    double sum = 0;
-    for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t) {
-        // The number is in range, except in levels from a malicious file.
-        const std::size_t number =
-            std::min<std::size_t>(terms.fine_links.of(k, t), constants_.links.size() - 1);
-        const Link& link = constants_.links[number];
-        if (pinned_[link.first] != 0 || pinned_[link.second] != 0) continue;
-        sum += static_cast<double>(terms.factors[t] * constants_.weights[number]);
-    }
-    terms.sums[coarse_.front().lists().places[k]] = static_cast<float>(sum);
+void Multigrid::leave() noexcept {
+    entered_ = 0;
+    leader_ = none;
+    if (!is_common()) return;
+    for (Part& part : parts_) part.system = nullptr;
 }
 
-// A link has terms in the coarse links between the nodes that its two ends are interpolated from.
-void Multigrid::sum_constants_at(std::uint32_t particle) noexcept {
-    const GalerkinLists& lists = coarse_.front().lists();
-    const Interpolation& p = coarse_.front().interpolation();
-    for_each_link_of(particle, [&](std::uint32_t, const Link& link) {
-        if (!std::ranges::binary_search(constants_.links, link)) return;
-        std::array<std::uint32_t, 2 * std::size_t{Interpolation::width}> nodes;
-        std::size_t count = 0;
-        for (const std::uint32_t end : {link.first, link.second})
-            for (std::uint32_t e = Interpolation::width * end; e < Interpolation::width * (end + 1); ++e)
-                if (p.weights[e] != 0) nodes[count++] = p.nodes[e];
-        for (const std::uint32_t a : std::span(nodes).first(count)) {
-            for (const std::uint32_t b : std::span(nodes).first(count)) {
-                if (a >= b) continue;
-                const auto at = std::ranges::lower_bound(lists.links, Link{a, b});
-                if (at != lists.links.end() && *at == Link{a, b})
-                    sum_constant(static_cast<std::uint32_t>(at - lists.links.begin()));
-            }
-        }
-    });
+void Multigrid::enter(std::uint32_t k, ImplicitSystem& system, const StepEquation& equation) noexcept {
+    Part& part = parts_[k];
+    part.system = &system;
+    part.equation = &equation;
+    ranges_[entered_++] = {equation.first, part.first, part.count};
+    leader_ = std::min(leader_, k);
 }
 
-std::uint32_t Multigrid::spring_of(const Link& link) const {
-    const std::uint32_t entry = system_->entry_between(link.first, link.second);
-    const auto slot = std::ranges::lower_bound(slots_, entry / Stencil::lanes);
-    // The slot is listed, except in levels from a malicious file.
-    const auto at = std::min<std::ptrdiff_t>(slot - slots_.begin(), std::ssize(slots_.span()) - 1);
-    return static_cast<std::uint32_t>(at) * Stencil::lanes + entry % Stencil::lanes;
-}
-
-template <class Body>
-void Multigrid::for_each_link_of(std::uint32_t particle, const Body& body) const {
-    const ImplicitSystem::Neighbours row = system_->neighbours_of(particle);
-    for (std::uint32_t k = 0; k < row.count; ++k) {
-        const std::uint32_t neighbour = row[k];
-        if (neighbour == particle) continue;
-        const Link link{std::min(particle, neighbour), std::max(particle, neighbour)};
-        body(neighbour, link);
-    }
-}
-
-std::size_t Multigrid::links_of_particle(std::uint32_t particle) const {
-    std::size_t count = 0;
-    for_each_link_of(particle, [&](std::uint32_t, const Link&) { ++count; });
-    return count;
-}
-
-void Multigrid::hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const {
-    for_each_link_of(particle, [&](std::uint32_t neighbour, const Link& link) {
-        const float weight = system_->constant_block(link.first, link.second);
-        *at++ = {particle, neighbour, weight == 0 ? spring_of(link) : constant, weight};
-    });
-}
-
-void Multigrid::mark(std::uint32_t particle, bool pinned) noexcept {
-    pinned_[particle] = pinned ? 1 : 0;
-    const Interpolation& p = coarse_.front().interpolation();
-    for (std::uint32_t e = Interpolation::width * particle; e < Interpolation::width * (particle + 1); ++e)
-        weights_[e] = pinned ? 0 : p.weights[e];
-}
-
-void Multigrid::pin(std::uint32_t particle) {
-    if (coarse_.empty() || pinned_[particle] != 0) return;
-    const auto later = std::ranges::upper_bound(held_, particle, {}, &HeldSpring::pinned) - held_.begin();
-    const auto at = held_.insert(held_.begin() + later, links_of_particle(particle), HeldSpring{});
-    hold_springs_of(particle, at);
-    mark(particle, true);
-    sum_constants_at(particle);
-}
-
-void Multigrid::unpin(std::uint32_t particle) noexcept {
-    if (coarse_.empty() || pinned_[particle] == 0) return;
-    const auto own = std::ranges::equal_range(held_, particle, {}, &HeldSpring::pinned);
-    held_.erase(own.begin(), own.end());
-    mark(particle, false);
-    sum_constants_at(particle);
-}
-
-void Multigrid::set_pins(std::span<const Vec4> positions) {
-    if (coarse_.empty() || (has_pins_set_ && are_pinned(positions))) return;
-    has_pins_set_ = true;
-    std::size_t count = 0;
-    for (std::uint32_t i = 0; i < positions.size(); ++i)
-        if (positions[i].w == 0) count += links_of_particle(i);
-    held_.reserve(count);
-    held_.resize(count);
-    auto at = held_.begin();
-    for (std::uint32_t i = 0; i < positions.size(); ++i) {
-        mark(i, positions[i].w == 0);
-        if (pinned_[i] == 0) continue;
-        hold_springs_of(i, at);
-        at += static_cast<std::ptrdiff_t>(links_of_particle(i));
-    }
-    for (std::uint32_t k = 0; k < coarse_.front().lists().links.size(); ++k) sum_constant(k);
-}
-
-bool Multigrid::are_pinned(std::span<const Vec4> positions) const {
-    std::uint32_t others = 0;
-    for (std::uint32_t i = 0; i < positions.size(); ++i)
-        others |= pinned_[i] ^ (positions[i].w == 0 ? 1u : 0u);
-    return others == 0;
-}
-
-void Multigrid::reserve_pins(std::size_t count) {
-    if (most_links_ == 0) {
-        for (std::uint32_t i = 0; i < pinned_.size(); ++i) {
-            const std::uint32_t of_particle = system_->neighbours_of(i).count;
-            most_links_ = std::max(most_links_, of_particle);
-            all_links_ += of_particle;
-        }
-    }
-    // `count` particles have at most this many links; and no link is listed more than once from each end.
-    held_.reserve(std::min(count * most_links_, all_links_));
-}
-
-void Multigrid::list_pairs(PairRows* pairs, std::span<SeamRows* const> seams, std::uint32_t first) {
+void Multigrid::list_pairs(PairRows* pairs) {
     if (coarse_.empty() || !has_pairs_) return;
-    first_ = first;
     for (CoarseLevel& level : coarse_) level.pairs().clear();
-    if (pairs != nullptr && !pairs->empty())
-        coarse_.front().pairs().list(*pairs, first, static_cast<std::uint32_t>(pinned_.size()));
-    for (const SeamRows* seam : seams)
-        coarse_.front().pairs().list(*seam, first, static_cast<std::uint32_t>(pinned_.size()));
+    if (pairs != nullptr && !pairs->empty()) coarse_.front().pairs().list(*pairs, numbering());
 }
 
-void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
+void Multigrid::build(Parallel& parallel) {
     if (coarse_.empty()) return;
     if (has_pairs_) gather_pairs(parallel);
-    system.spring_blocks(parallel, slots_, springs_.span());
-    sum_first_ground(parallel, system);
+    for (const Part& part : parts_) {
+        const std::span<Vec4> blocks = springs_.span().subspan(std::size_t{part.first_slot} * Stencil::lanes,
+                                                               std::size_t{part.slots} * Stencil::lanes);
+        if (part.system != nullptr)
+            part.system->spring_blocks(parallel, slots_of(part), blocks);
+        else
+            std::ranges::fill(blocks, Vec4{});
+    }
+    sum_ground_of_particles(parallel);
+    sum_stitches();
+    sum_first_ground(parallel);
     for (const HeldSpring& held : held_)
         if (held.spring != constant) springs_[held.spring] = {};
-    coarse_.front().sum_links(parallel, springs_.span(), system.constant_scale());
+    coarse_.front().sum_links(parallel, springs_.span(), constant_scale());
     for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
     // A level's bound is added after the sums: it is no ground of the next level, which has its own rows.
     for (CoarseLevel& level : coarse_) {
@@ -316,7 +302,7 @@ void Multigrid::build(Parallel& parallel, ImplicitSystem& system) {
 void Multigrid::gather_pairs(Parallel& parallel) {
     CoarsePairs& pairs = coarse_.front().pairs();
     if (pairs.listed().empty()) return;
-    pairs.gather(parallel, first_, coarse_.front().interpolation(), weights_.span());
+    pairs.gather(parallel, numbering(), coarse_.front().interpolation(), weights_.span());
     for (std::size_t k = 1; k < coarse_.size(); ++k)
         coarse_[k].pairs().gather(parallel, coarse_[k - 1].pairs(), coarse_[k].interpolation());
 }
@@ -324,38 +310,51 @@ void Multigrid::gather_pairs(Parallel& parallel) {
 // Other cloth that touches this one counts as fixed: its pairs are added to the ground of each corner's
 // particle, which restriction then takes to the coarse nodes.
 void Multigrid::hold_other_bodies() {
-    const auto particles = static_cast<std::uint32_t>(pinned_.size());
+    const Numbering number = numbering();
     for (const PairRows::ActivePair& active : coarse_.front().pairs().listed()) {
-        if (CoarsePairs::is_inner(active, first_, particles)) continue;
+        if (number.has_all_corners(active.pair)) continue;
         const Symmetric3 stiffness = active.stiffness();
-        for (std::uint32_t c = 0; c < 4; ++c) {
-            const std::uint32_t i = active.pair.corners[c] - first_;
-            if (i >= particles || pinned_[i] != 0) continue;
-            const float bound = 2 * std::abs(active.shape.weight(c));
-            set_xyz(smooth_[i], xyz(smooth_[i]) + bound * Vector3(stiffness.xx, stiffness.yy, stiffness.zz));
-            set_xyz(remainder_[i],
-                    xyz(remainder_[i]) + bound * Vector3(stiffness.xy, stiffness.xz, stiffness.yz));
-        }
+        for (std::uint32_t c = 0; c < 4; ++c)
+            hold(active.pair.corners[c], 2 * std::abs(active.shape.weight(c)), stiffness);
     }
 }
 
-void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& system) {
-    // The particles' ground lies in the vectors of the cycle, which are unused between cycles.
-    parallel.ranges(system.stencil().nodes, [&](const BlockRange& range) {
-        ground_rows_block(range, system.right_side().data(), system.contacts(), smooth_.data(),
-                          remainder_.data());
-    });
+void Multigrid::hold(std::uint32_t particle, float factor, const Symmetric3& stiffness) {
+    const std::uint32_t i = numbering()(particle);
+    if (i == Numbering::none || pinned_[i] != 0) return;
+    set_xyz(smooth_[i], xyz(smooth_[i]) + factor * Vector3(stiffness.xx, stiffness.yy, stiffness.zz));
+    set_xyz(remainder_[i], xyz(remainder_[i]) + factor * Vector3(stiffness.xy, stiffness.xz, stiffness.yz));
+}
+
+// The particles' ground lies in the vectors of the cycle, which are unused between cycles.
+void Multigrid::sum_ground_of_particles(Parallel& parallel) {
+    for (const Part& part : parts_) {
+        const std::span<Vec4> diagonal = of(part, smooth_), off_diagonal = of(part, remainder_);
+        const bool is_present = part.system != nullptr;
+        const bool has_contacts = is_present && part.system->contacts() != nullptr;
+        if (is_present)
+            parallel.ranges(part.count, [&](const BlockRange& range) {
+                ground_rows_block(range, part.system->right_side().data(), part.system->contacts(),
+                                  diagonal.data(), off_diagonal.data());
+            });
+        else
+            std::ranges::fill(diagonal, Vec4{});
+        if (!has_contacts && has_contact_rows()) std::ranges::fill(off_diagonal, Vec4{});
+    }
+}
+
+void Multigrid::sum_first_ground(Parallel& parallel) {
     CoarseLevel& first = coarse_.front();
     if (first.pairs().has_outer()) hold_other_bodies();
     first.sum_ground(parallel, smooth_.span(),
-                     system.contacts() != nullptr ? remainder_.span() : std::span<const Vec4>());
+                     has_contact_rows() ? remainder_.span() : std::span<const Vec4>());
     // A spring to a pinned particle holds the coarse nodes that its free end is interpolated from.
     const Interpolation& p = first.interpolation();
     SymmetricRows& rows = first.matrix().ground_rows;
     for (const HeldSpring& held : held_) {
         if (pinned_[held.neighbour] != 0) continue;
-        const Vec4 spring = held.spring != constant ? springs_[held.spring]
-                                                    : Vec4{0, 0, 0, system.constant_scale() * held.weight};
+        const Vec4 spring =
+            held.spring != constant ? springs_[held.spring] : Vec4{0, 0, 0, constant_scale() * held.weight};
         for (std::uint32_t k = 0; k < Interpolation::width; ++k) {
             const std::uint32_t e = Interpolation::width * held.neighbour + k;
             if (p.weights[e] == 0) continue;
@@ -366,19 +365,32 @@ void Multigrid::sum_first_ground(Parallel& parallel, const ImplicitSystem& syste
     }
 }
 
-void Multigrid::cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r,
-                      std::span<Vec4> z) {
+void Multigrid::cycle(Parallel& parallel) {
     if (coarse_.empty()) {
-        system.precondition(parallel, r, finest_step, smooth_.span());
-        system.relax(parallel, r, smooth_.span(), {.step = finest_step}, z);
+        for (const Part& part : parts_) {
+            if (part.system == nullptr) continue;
+            part.system->precondition(parallel, part.r, finest_step, of(part, smooth_));
+            part.system->relax(parallel, part.r, of(part, smooth_), {.step = finest_step}, part.z);
+        }
         return;
     }
     CoarseLevel& first = coarse_.front();
-    system.subtract_first_step(parallel, r, finest_step, smooth_.span(), remainder_.span());
+    for (const Part& part : parts_) {
+        if (part.system != nullptr)
+            part.system->subtract_first_step(parallel, part.r, finest_step, of(part, smooth_),
+                                             of(part, remainder_));
+        else
+            std::ranges::fill(of(part, remainder_), Vec4{});
+    }
+    subtract_stitches();
     restrict_to(parallel, first.interpolation(), remainder_.span(), first.b());
     solve_level(parallel, 0);
-    system.relax_corrected(parallel, r, finest_step, smooth_.span(),
-                           {first.interpolation(), weights_.span(), first.x()}, z);
+    for (const Part& part : parts_)
+        if (part.system != nullptr)
+            part.system->relax_corrected(parallel, part.r, finest_step, of(part, smooth_),
+                                         {first.interpolation(), weights_.span(), first.x(), part.first},
+                                         part.z);
+    relax_stitches();
 }
 
 void Multigrid::solve_level(Parallel& parallel, std::size_t k) {
@@ -407,7 +419,8 @@ void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
 std::size_t Multigrid::bytes() const noexcept {
     std::size_t sum = slots_.bytes() + held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() +
                       constants_.links.bytes() + constants_.weights.bytes() + weights_.bytes() +
-                      coarse_.size() * sizeof(CoarseLevel);
+                      coarse_.size() * sizeof(CoarseLevel) + parts_.size() * sizeof(Part) +
+                      stitches_.size() * sizeof(Link) + stitched_.size() * sizeof(std::uint32_t);
     for (const CoarseLevel& level : coarse_) sum += level.bytes();
     return sum;
 }

@@ -1,8 +1,9 @@
 #pragma once
 // Multigrid on any mesh (Brandt 1977; Galerkin operators on aggregated nodes after Vanek, Mandel, Brezina
-// 1996): one symmetric V-cycle as a preconditioner for an implicit system. Levels are made once; their
-// operators at each build().
+// 1996): one symmetric V-cycle as a preconditioner for an implicit system, or for those of cloths that seams
+// join. Levels are made once; their operators at each build().
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -19,13 +20,26 @@ class Multigrid {
     /// and the pins. The system is to outlive the levels.
     Multigrid(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
+    /// A cloth that levels are made of.
+    struct Source {
+        ImplicitSystem& system;  ///< linearised
+        std::span<const Vec4> positions;
+    };
+    /// Where the particles of each of these cloths begin in common levels, and last where they end.
+    [[nodiscard]] static std::vector<std::uint32_t> first_particles(std::span<const Source> cloths);
+    /// Common levels of cloths that stitches join, as links between particles by first_particles(). A stitch
+    /// along a spring, or along another stitch, has no part in them. Until a cloth enters, it counts as held.
+    Multigrid(Parallel& parallel, std::span<const Source> cloths, std::vector<Link> stitches);
+
     /// Takes over saved levels that fit the system. No particle is pinned; there is no memory of its own.
-    Multigrid(const ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles);
+    Multigrid(ImplicitSystem& system, SavedLevels&& saved, std::uint32_t particles);
     /// The constant part of these levels, shared with them.
     [[nodiscard]] SavedLevels constant_part() const;
 
     /// A copy of the levels for a system of the same springs. Constant parts are shared.
-    Multigrid(const Multigrid& other, const ImplicitSystem& system) : Multigrid(other) { system_ = &system; }
+    Multigrid(const Multigrid& other, ImplicitSystem& system) : Multigrid(other) {
+        parts_.front().system = &system;
+    }
 
     // Pinned particles have no part in coarse motions, and springs to them hold the coarse nodes. The state
     // of pins does not depend on the order of calls. A call that runs out of memory changes nothing.
@@ -44,13 +58,31 @@ class Multigrid {
     /// lay_out() in memory of its own. Levels that were made have such memory; copies do not.
     void lay_out_alone(std::size_t pairs = 0) { own_scratch_.lay_out(*this, pairs); }
 
-    /// Lists the pairs that push the cloth, and its stitches, for build(). Both number its particles from
-    /// `first` on. Null: no pairs. Only one cloth at a time may call this for the same pairs.
-    void list_pairs(PairRows* pairs, std::span<SeamRows* const> seams, std::uint32_t first);
-    /// Sums the coarse operators of the system's present W, and of the pairs that are listed.
-    void build(Parallel& parallel, ImplicitSystem& system);
-    /// z = an approximation of W^-1 r, linear, symmetric and positive definite in r.
-    void cycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> r, std::span<Vec4> z);
+    /// Begins an equation: none of the cloths is in it, until it enters.
+    void leave() noexcept;
+    /// Puts a cloth's system and equation in its place. The equation must outlive the cycles.
+    void enter(std::uint32_t part, ImplicitSystem& system, const StepEquation& equation) noexcept;
+    /// Whether this is the first of the cloths that have entered, which has the levels built, and so on.
+    [[nodiscard]] bool is_led_by(std::uint32_t part) const noexcept { return leader_ == part; }
+    /// Takes the pins of the cloths that have entered: those of common levels are known to no other call.
+    void see_pins();
+    /// Lists the pairs that push the cloths, for build(). Null: no pairs. Only one thread at a time may call
+    /// this for the same pairs.
+    void list_pairs(PairRows* pairs);
+    /// Sums the coarse operators of the systems' present W, of stitches, and of the pairs that are listed.
+    void build(Parallel& parallel);
+    /// The vectors of a cloth in the next cycle: z = an approximation of W^-1 r, linear and positive definite
+    /// in r; symmetric, too, without stitches.
+    void set_vectors(std::uint32_t part, std::span<const Vec4> r, std::span<Vec4> z) noexcept {
+        parts_[part].r = r;
+        parts_[part].z = z;
+    }
+    void cycle(Parallel& parallel);
+    /// set_vectors() and cycle() of levels of one cloth.
+    void cycle(Parallel& parallel, std::span<const Vec4> r, std::span<Vec4> z) {
+        set_vectors(0, r, z);
+        cycle(parallel);
+    }
 
     [[nodiscard]] std::size_t levels() const noexcept { return coarse_.size(); }
     [[nodiscard]] const CoarseLevel& level(std::size_t k) const { return coarse_[k]; }
@@ -59,6 +91,16 @@ class Multigrid {
   private:
     Multigrid(const Multigrid&) = default;
 
+    /// A cloth of the levels.
+    struct Part {
+        ImplicitSystem* system;
+        std::uint32_t first, count;              // particles
+        std::uint32_t first_slot, slots;         // in slots_
+        const StepEquation* equation = nullptr;  // null: it has not entered
+        std::span<const Vec4> r{};
+        std::span<Vec4> z{};
+    };
+
     /// A spring with a pinned end.
     struct HeldSpring {
         std::uint32_t pinned, neighbour;
@@ -66,12 +108,36 @@ class Multigrid {
         float weight;          // of a constant spring, see ImplicitSystem::constant_block
     };
     static constexpr std::uint32_t constant = ~0u;
+    /// Of relaxation on the finest level, where the spectrum of D^-1 W ends below 2.
+    static constexpr float finest_step = 2 / (0.4f + 2.0f);
     /// Links whose blocks are constant.
     struct ConstantLinks {
         SharedBuffer<Link> links;  // ascending
         SharedBuffer<float> weights;
     };
     using HeldSprings = HookedVector<HeldSpring>;
+
+    [[nodiscard]] const Part& part_of(std::uint32_t particle) const {
+        return *(std::ranges::upper_bound(parts_, particle, {}, &Part::first) - 1);
+    }
+    [[nodiscard]] std::span<const std::uint32_t> slots_of(const Part& part) const {
+        return slots_.span().subspan(part.first_slot, part.slots);
+    }
+    /// The place of a stitch's block in springs_; none, if the link is no stitch.
+    [[nodiscard]] std::uint32_t place_of_stitch(const Link& link) const;
+    /// Writes the stitches' blocks. Those to cloth that is not in the equation go to the particles' ground.
+    void sum_stitches();
+    /// visit(seam, part) for each cloth's seams: those of two cloths twice.
+    template <class Visit>
+    void for_each_side(const Visit& visit) const;
+    /// body(part, particle of the cloth, particle of the levels) at each end of a stitch, once.
+    template <class Body>
+    void for_each_end(const Body& body) const;
+    /// of(part) += C x at the stitches' ends, after it is set to 0 there; x is in smooth_.
+    template <class Of>
+    void multiply_stitches(const Of& of);
+    void subtract_stitches();
+    void relax_stitches();
 
     /// `links`: those of the finest level; numbers[k]: the k-th link's number among constant ones, or none.
     void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const std::uint32_t> numbers);
@@ -88,17 +154,43 @@ class Multigrid {
     /// Writes the particle's springs from `at` on.
     void hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const;
     void mark(std::uint32_t particle, bool pinned) noexcept;
-    /// Whether the pinned particles are those of inverse mass 0.
-    [[nodiscard]] bool are_pinned(std::span<const Vec4> positions) const;
     void gather_pairs(Parallel& parallel);
     void hold_other_bodies();
-    void sum_first_ground(Parallel& parallel, const ImplicitSystem& system);
+    /// Adds a multiple of K to the ground of a particle of the equation, if it is one of the levels'.
+    void hold(std::uint32_t particle, float factor, const Symmetric3& stiffness);
+    void sum_ground_of_particles(Parallel& parallel);
+    void sum_first_ground(Parallel& parallel);
+    /// Whether these are the levels of sewn cloth.
+    [[nodiscard]] bool is_common() const noexcept { return !stitched_.empty(); }
+    /// Whether any of the cloths has contact in its system.
+    [[nodiscard]] bool has_contact_rows() const {
+        return std::ranges::any_of(parts_, [](const Part& part) {
+            return part.system != nullptr && part.system->contacts() != nullptr;
+        });
+    }
+    /// Of the constant blocks, which levels of one cloth alone have.
+    [[nodiscard]] float constant_scale() const {
+        return is_common() ? 0 : parts_.front().system->constant_scale();
+    }
+    [[nodiscard]] Numbering numbering() const noexcept {
+        return Numbering(std::span(ranges_).first(entered_));
+    }
+    [[nodiscard]] std::span<Vec4> of(const Part& part, ScratchArray<Vec4>& vector) const {
+        return vector.span().subspan(part.first, part.count);
+    }
+    template <class IsPinned>
+    void set_pins_where(const IsPinned& is_pinned);
     void solve_level(Parallel& parallel, std::size_t level);
     void relax_and_correct(Parallel& parallel, std::size_t level);
 
-    const ImplicitSystem* system_;
-    SharedBuffer<std::uint32_t> slots_;  // the system's slots with links at their first ends, ascending
-    ScratchArray<Vec4> springs_;         // blocks of these slots, see ImplicitSystem::spring_blocks
+    std::vector<Part> parts_;
+    std::vector<Numbering::Range> ranges_;    // of the parts that have entered, in the order of entry
+    std::vector<Link> stitches_;              // of which the levels know, ascending
+    std::vector<std::uint32_t> stitched_;     // the particles at ends of stitches, ascending
+    std::uint32_t entered_ = 0, leader_ = 0;  // how many parts have entered; the first of them
+    SharedBuffer<std::uint32_t>
+        slots_;                   // the systems' slots with links at their first ends, each's ascending
+    ScratchArray<Vec4> springs_;  // blocks of these, see ImplicitSystem::spring_blocks; last stitches'
     ConstantLinks constants_;
     HeldSprings held_;                    // ascending by pinned particle, then by neighbour
     AlignedBuffer<std::uint8_t> pinned_;  // 1 or 0
@@ -107,7 +199,6 @@ class Multigrid {
     ScratchArray<Vec4> smooth_, remainder_;
     OwnScratch own_scratch_;
     bool has_pairs_ = false;     // room for pairs was laid out
-    std::uint32_t first_ = 0;    // the cloth's first particle in the listed pairs
     bool has_pins_set_ = false;  // the state of pins is known
     // The most links of one particle, and the links of all; 0: not counted yet.
     std::uint32_t most_links_ = 0;

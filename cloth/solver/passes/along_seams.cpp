@@ -25,14 +25,6 @@ void for_each_side(std::span<const PassMember> members, const Visit& visit) {
 
 }  // namespace
 
-bool join_members(std::span<const PassMember> members) {
-    bool any = false;
-    for_each_side(members, [&](const SeamRows& seam, const PassMember& member) {
-        any = any || !seam.is_led_by(member.step.equation.first);
-    });
-    return any;
-}
-
 void linearise_seams(std::span<const PassMember> members) {
     for_each_side(members, [](SeamRows& seam, const PassMember& member) {
         seam.take(member.step.equation.first, member.step.velocities);

@@ -7,8 +7,6 @@
 
 namespace weft {
 
-/// Whether any seam joins two members.
-[[nodiscard]] bool join_members(std::span<const PassMember> members);
 /// Linearises the seams at the members' velocities.
 void linearise_seams(std::span<const PassMember> members);
 /// Adds the seams' terms to the product, unless it is null. Returns x . C x, with C the seams' matrix.

@@ -61,10 +61,11 @@ void MultilevelSolver::reserve_pairs(std::size_t count) {
     pieces_.reserve_pairs(count);
 }
 
-PassMember MultilevelSolver::member(const SolverStep& step) noexcept {
+PassMember MultilevelSolver::member(const SolverStep& step, const CommonLevels& sewn) noexcept {
     return {.step = step,
             .system = *system_,
-            .levels = *multigrid_,
+            .levels = sewn.levels ? *sewn.levels : *multigrid_,
+            .part = sewn.part,
             .vectors = vectors_,
             .pieces = pieces_,
             .residual = residual_,
@@ -72,7 +73,7 @@ PassMember MultilevelSolver::member(const SolverStep& step) noexcept {
 }
 
 SolveResult MultilevelSolver::solve(const SolverStep& step) {
-    const PassMember alone = member(step);
+    const PassMember alone = member(step, {});
     float residual = 0;
     return solve_by_passes(std::span(&alone, 1), std::span(&residual, 1));
 }

@@ -110,6 +110,7 @@ class Passes {
     [[nodiscard]] VelocitySums sum_all(const Velocities& velocities) const;
     [[nodiscard]] Vec4 frame_velocity() const;
     void linearise();
+    void list_for_levels();
     void eliminate_bodies();
     void let_bodies_follow();
     /// Minimises the linearised step over v, the last change and, if it is wanted, a cycle's correction.
@@ -146,17 +147,13 @@ class Passes {
 // fabric less is left, in any wind.
 SolveResult Passes::operator()() {
     constexpr int most_more = 2;
-    // In the cycles each member is fixed for those that are joined to it. So motion passes a seam slowly: two
-    // sheets that swing come as near to the converged motion by 15 passes as one sheet by 3.
-    constexpr int times_if_joined = 5;
     constexpr double much = 0.02;   // of the tolerated energy: 5 to 6 m/s^2 by default
     constexpr double rough = 0.25;  // of the energy of motion
     const Multilevel& method = std::get<Multilevel>(first_.settings.method);
     const double tolerated = tolerated_energy(method);
     const auto much_is_left = [&] { return left_ > much * tolerated; };
-    const int wanted = method.passes * (join_members(members_) ? times_if_joined : 1);
     begin();
-    while (passes_ < wanted || (passes_ < wanted + most_more && much_is_left())) {
+    while (passes_ < method.passes || (passes_ < method.passes + most_more && much_is_left())) {
         linearise();
         if (!minimise(true)) return {.ok = false};
         ++passes_;
@@ -248,20 +245,31 @@ void Passes::linearise() {
     }
     linearise_seams(members_);
     if (is_first)
-        for (const PassMember& member : members_) {
-            const StepEquation& equation = member.step.equation;
-            member.levels.list_pairs(equation.pairs, equation.seams, equation.first);
-        }
+        list_for_levels();
     else
         let_bodies_follow();
     for_each_member([&](const PassMember& member, Parallel& threads) {
-        const StepEquation& equation = member.step.equation;
-        member.system.linearise(threads, equation, member.step.velocities, LinearisedAbout::iterate);
-        if (!is_first) return;
-        const auto levels_timer = member.step.timed(Stage::coarse_operators);
-        member.levels.build(threads, member.system);
+        member.system.linearise(threads, member.step.equation, member.step.velocities,
+                                LinearisedAbout::iterate);
     });
+    if (is_first)
+        for_each_member([&](const PassMember& member, Parallel& threads) {
+            if (!member.levels.is_led_by(member.part)) return;
+            const auto levels_timer = member.step.timed(Stage::coarse_operators);
+            member.levels.build(threads);
+        });
     eliminate_bodies();
+}
+
+void Passes::list_for_levels() {
+    for (const PassMember& member : members_) member.levels.leave();
+    for (const PassMember& member : members_)
+        member.levels.enter(member.part, member.system, member.step.equation);
+    for (const PassMember& member : members_) {
+        if (!member.levels.is_led_by(member.part)) continue;
+        member.levels.see_pins();
+        member.levels.list_pairs(pairs_);
+    }
 }
 
 void Passes::eliminate_bodies() {
@@ -337,10 +345,13 @@ void Passes::subtract(const Coefficients& c) {
 }
 
 void Passes::find_corrections() {
+    for (const PassMember& member : members_)
+        member.levels.set_vectors(member.part, std::as_const(member.system).right_side().span(),
+                                  member.vectors.correction.span());
     for_each_member([&](const PassMember& member, Parallel& threads) {
+        if (!member.levels.is_led_by(member.part)) return;
         const auto timer = member.step.timed(Stage::cycles);
-        member.levels.cycle(threads, member.system, std::as_const(member.system).right_side().span(),
-                            member.vectors.correction.span());
+        member.levels.cycle(threads);
     });
 }
 

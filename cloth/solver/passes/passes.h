@@ -49,7 +49,8 @@ struct PassVectors {
 struct PassMember {
     const SolverStep& step;
     ImplicitSystem& system;
-    Multigrid& levels;
+    Multigrid& levels;   ///< its own, or those that it has in common with the cloths that are sewn to it
+    std::uint32_t part;  ///< its number among the levels' cloths
     PassVectors& vectors;
     FreePieces& pieces;
     StepResidual& residual;

@@ -42,7 +42,7 @@ struct Levels {
         system->linearise(serial, equation_of(cloth, h), cloth.state.velocities.span(),
                           LinearisedAbout::iterate);
         multigrid = std::make_unique<Multigrid>(serial, *system, cloth.state.positions.span());
-        multigrid->build(serial, *system);
+        multigrid->build(serial);
     }
     explicit Levels(Cloth&&) = delete;  // it is referred to
     Parallel serial{1};

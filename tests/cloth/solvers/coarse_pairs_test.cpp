@@ -91,8 +91,9 @@ struct Gathered {
     Gathered(const PairScene& scene, std::uint32_t first, std::uint32_t count, float spread, int threads = 1)
         : linearised(scene, threads), p(interpolation(scene, first, count, spread)) {
         pairs.reserve(scene.pairs.size, count);
-        pairs.list(linearised.rows, first, count);
-        pairs.gather(linearised.parallel, first, p, p.weights.span());
+        const Numbering::Range range{first, 0, count};
+        pairs.list(linearised.rows, Numbering({&range, 1}));
+        pairs.gather(linearised.parallel, Numbering({&range, 1}), p, p.weights.span());
     }
 };
 
