@@ -17,6 +17,9 @@ constexpr float rounding_per_coordinate = 1e-7f;
 // A surface stands on another if it rises from the other's plane by this fraction of its edges' length.
 constexpr float least_rise = 0.1f;
 
+// Surfaces lie side by side, as along a cut, if their rings are this fraction of their edges' length apart.
+constexpr float beside = 0.5f;
+
 // A mean normal shorter than this is noise: triangles that face opposite ways cancel, as along a fold.
 constexpr float least_normal = 0.1f;
 
@@ -57,7 +60,10 @@ class TouchingPairs {
             return std::copysign(1.0f, off) * (is_off_b ? b.normal : a.normal);
         both = a.normal.dot(b.normal) < 0;
         if (both) return (a.normal - b.normal).stableNormalized();
-        if (&body_of(pair.corners[0]) == &body_of(pair.corners[3])) return Vector3::Zero();
+        if (&body_of(pair.corners[0]) == &body_of(pair.corners[3])) {
+            both = rise.norm() > beside * std::max(a.length, b.length);
+            return both ? rise.stableNormalized() : Vector3::Zero();
+        }
         const Vector3 front = (a.normal + b.normal).stableNormalized();
         return pair.corners[0] > pair.corners[3] ? front : Vector3(-front);
     }

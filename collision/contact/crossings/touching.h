@@ -12,9 +12,10 @@ namespace weft {
 
 /// Moves features that touch within rounding `distance` [m] apart. Of each pair, the feature of the later
 /// body moves off the surface on which it stands or, where both lie along one surface, out of its front.
-/// Layers that face opposite ways both move out of their fronts; layers of one body that face the same way
-/// stay. `ways` is scratch. Both spans are of all bodies' particles.
-/// Returns whether anything moved. n layers at one place are apart after n - 1 calls.
+/// Layers that face opposite ways both move out of their fronts. Within one body, borders that lie side by
+/// side both move into their surfaces, and layers that face the same way stay. `ways` is scratch. Both spans
+/// are of all bodies' particles. Returns whether anything moved. n layers at one place are apart after n - 1
+/// calls.
 bool part_touching(std::span<const ContactBody> bodies, const PairList& pairs, float distance,
                    std::span<Vec4> positions, std::span<Vec4> ways);
 

@@ -70,6 +70,21 @@ Mesh flat_cushion() {
     return mesh;
 }
 
+/// Two sheets beside each other as one mesh: vertices at one place are two particles, as along a cut.
+Mesh cut_in_two() {
+    Mesh mesh = level();
+    const Mesh other = level(0, size);
+    mesh.rows = mesh.columns = 0;
+    mesh.texcoords.clear();
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (const Triangle& t : other.triangles)
+        mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    mesh.welds.resize(mesh.positions.size());
+    std::iota(mesh.welds.begin(), mesh.welds.end(), 0u);
+    return mesh;
+}
+
 struct Case {
     std::string name;
     std::vector<Mesh> meshes;
@@ -86,6 +101,7 @@ std::vector<Case> cases() {
             {"StandingFirst", {upright(), level()}},
             {"Folded", {folded()}},
             {"FlatCushion", {flat_cushion()}},
+            {"CutInTwo", {cut_in_two()}},
             {"TwoSpheres", {sphere(2), sphere(2)}},
             {"TwoTubes", {tube(6, 16), tube(6, 16)}}};
 }
