@@ -75,11 +75,16 @@ class Scene {
     [[nodiscard]] virtual Result<void> check(const World& world) const = 0;
 };
 
+/// A group of scenes in the gallery. The scenes of `lab` share one card there: they are experiments of
+/// contact.
+enum class SceneGroup { wind, play, wear, meet, learn, lab };
+
 /// One line of the registry.
 struct SceneEntry {
     const char* name;
     const char* description;
     std::unique_ptr<Scene> (*make)();
+    SceneGroup group;
     bool needs_garment = false;          ///< cannot be built without SceneOptions::garment
     bool takes_garment = needs_garment;  ///< can be built with one
     bool takes_motion = false;           ///< uses SceneOptions::motion, speed and skin

@@ -5,6 +5,7 @@
 #include "demo/hands/overlay.h"
 #include "demo/headless/report_text.h"
 #include "demo/panels/column.h"
+#include "demo/panels/gallery.h"
 #include "demo/panels/widgets.h"
 
 namespace weft::demo {
@@ -56,6 +57,11 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& han
     }
     show_messages(simulation, playback, window.x - covered_);
     if (help) help_window(help, window.x - covered_);
+    if (simulation.entry().group == SceneGroup::lab) lab_ = &simulation.entry();
+    if (lab_ == nullptr) lab_ = &*std::ranges::find(all_scenes(), SceneGroup::lab, &SceneEntry::group);
+    if (help) return requests;
+    if (gallery)
+        demo::gallery(gallery, simulation.entry(), *lab_, pictures_, window.x - covered_, requests);
     return requests;
 }
 
@@ -68,7 +74,7 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     tooltip("F1. Keys and mouse.");
     ImGui::SameLine();
     ImGui::Text("%.0f pictures a second", static_cast<double>(ImGui::GetIO().Framerate));
-    scene_panel(simulation, pictures_, requests);
+    scene_panel(simulation, pictures_, gallery, requests);
     note(wind_panel(simulation, wind, camera));
     hands_panel(hands);
     note(cloth_panel(simulation));
@@ -105,7 +111,7 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
 /// Draws messages and troubles over the scene's upper left corner.
 void Panels::show_messages(const Simulation& simulation, const Playback& playback, float room) {
     note_troubles(simulation, playback);
-    if (help || (message.empty() && troubles_.empty())) return;  // the help covers their place
+    if (help || gallery || (message.empty() && troubles_.empty())) return;  // windows cover their place
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.5f * em, 0.5f * em});
     ImGui::SetNextWindowBgAlpha(0.6f);

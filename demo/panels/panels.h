@@ -65,7 +65,8 @@ class Panels {
     bool visible = true;
     bool collapsed = false;  ///< to a tab
     bool help = false;
-    std::string message;  ///< why the last request failed, or its outcome
+    bool gallery = false;   ///< all scenes are shown
+    std::string message;    ///< why the last request failed, or its outcome
     /// Width of the window's right that the column covers, as last drawn [pixels].
     [[nodiscard]] float covered() const { return covered_; }
     Look look;
@@ -87,13 +88,15 @@ class Panels {
 
     StageHistory history_;
     ScenePictures pictures_;
-    std::string troubles_;  // troubles of the last steps, in words
+    const SceneEntry* lab_ = nullptr;  // experiment that the card of the contact lab starts
+    std::string troubles_;             // troubles of the last steps, in words
     float covered_ = 0;
     double troubled_until_ = 0;  // end of their display [s]
 };
 
 // One function for each panel, in a file of its name. Error: the simulation refuses the change.
-void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
+void scene_panel(const Simulation& simulation, ScenePictures& pictures, bool& gallery,
+                 PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);

@@ -193,6 +193,7 @@ class App {
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
         if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
         if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
+        if (keys_.count(GLFW_KEY_G) % 2 == 1) panels_.gallery = !panels_.gallery;
         if (read_look_keys(keys_, panels_.look)) panels_.visible = !panels_.visible;
         if (keys_.count(GLFW_KEY_R) > 0) restart();
         if (const int steps = keys_.count(GLFW_KEY_N, true); steps > 0) {
