@@ -36,7 +36,11 @@ struct SceneCloth {
     render::FabricLook look;
     Mesh fine{};                               ///< drawn in place of the mesh, where `drawn` is set
     std::shared_ptr<const DrawnMesh> drawn{};  ///< how `fine` follows the cloth
+    std::vector<Vec4> tints{};  ///< by vertex, as render::ClothFrame::colours; empty: the look's alone
 };
+
+/// A look whose back is paler than its front.
+[[nodiscard]] render::FabricLook two_sided(const Vec3& front, float stripe_width = 0);
 
 /// A solid of triangles in the scene.
 struct SceneSolid {
@@ -66,7 +70,7 @@ class Scene {
     /// Called after before_step(): cuts cloth, in the content as well. True: cloth was cut.
     virtual bool cut_before_step(World& world, SceneContent& content);
 
-    /// Adds words and lines that show the world's present state.
+    /// Adds words, lines and solids that show the world's present state and what holds its cloth.
     virtual void annotate(const World& /*world*/, Annotation& /*to*/) const {}
 
     /// The scene's own test: after this many steps of 1/60 s ...
