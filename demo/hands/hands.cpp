@@ -34,6 +34,7 @@ Hands::Holding Hands::take(const Pointer& pointer, float aspect, const Simulatio
 bool Hands::update(const Pointer& pointer, float aspect, Simulation& simulation, render::OrbitCamera& camera,
                    WindControl& wind) {
     arrow_.place(camera, aspect);
+    eye_ = camera.eye();
     if (!pointer.left_button && !pointer.other_button) {
         holding_ = Holding::nothing;
         collider_.end();
@@ -87,7 +88,7 @@ void Hands::before_step(Simulation& simulation, float dt) {
 }
 
 void Hands::after_step(const Simulation& simulation, float dt) {
-    streaks.step(simulation.world(), dt);
+    streaks.step(simulation.world(), dt, eye_);
 }
 
 HandMark Hands::mark() const {
