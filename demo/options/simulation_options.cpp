@@ -100,7 +100,7 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
         ->type_name("NAME|FILE.json");
     app.add_option("--iterations", options.overrides.iterations,
                    "Iterations of the method in each of its substeps")
-        ->check(CLI::Range(0, 10000));
+        ->check(CLI::Range(1, 10000));
     app.add_option("--substeps", options.overrides.substeps, "Steps of the solver in each 1/60 s")
         ->check(CLI::Range(1, 256));
     std::map<std::string, SelfCollisionMethod> names;

@@ -32,6 +32,7 @@ float StageHistory::at(std::size_t stage, std::size_t age) const {
 
 void Panels::forget() {
     history_.clear();
+    residual_ = 0;
     message.clear();
     troubles_.clear();
     look.comparison.reset();
@@ -40,6 +41,8 @@ void Panels::forget() {
 void Panels::record(const World& world) {
     history_.add(world.profile());
     look.times.add_step(world.report().milliseconds);
+    constexpr float share = 0.02f;  // of a step: the mean is over a second, about
+    residual_ += share * (world.report().residual - residual_);
 }
 
 PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
@@ -81,7 +84,7 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     picture_panel(look);
     files_panel(simulation, look, requests);
     note(inside_panel(simulation, look.inside));
-    note(times_panel(simulation, history_, look));
+    note(times_panel(simulation, history_, residual_, look));
     note(method_panel(simulation));
     compare_panel(simulation, look);
 }
@@ -120,7 +123,7 @@ void Panels::show_messages(const Simulation& simulation, const Playback& playbac
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs;
     ImGui::Begin("messages", nullptr, flags);
     ImGui::PushTextWrapPos(std::min(34 * em, room - 2 * em));
-    if (!message.empty()) ImGui::TextUnformatted(message.c_str());
+    if (!message.empty()) ImGui::TextUnformatted(plain_words(message).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.98f, 0.72f, 0.40f, 1));
     if (!troubles_.empty())
         ImGui::TextUnformatted(troubles_.c_str(), troubles_.c_str() + troubles_.size() - 1);

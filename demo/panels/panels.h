@@ -91,6 +91,7 @@ class Panels {
     const SceneEntry* lab_ = nullptr;  // experiment that the card of the contact lab starts
     std::string troubles_;             // troubles of the last steps, in words
     float covered_ = 0;
+    float residual_ = 0;         // mean over about a second
     double troubled_until_ = 0;  // end of their display [s]
 };
 
@@ -105,7 +106,8 @@ void picture_panel(Look& look);
 void compare_panel(const Simulation& simulation, Look& look);
 void files_panel(Simulation& simulation, Look& look, PanelRequests& requests);
 [[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
-[[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look);
+[[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, float residual,
+                                       const Look& look);
 /// A window on keys and mouse, within the `room` left of the column [pixels].
 void help_window(bool& shown, float room);
 
