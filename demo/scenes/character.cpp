@@ -86,8 +86,7 @@ class Walkers final : public Scene {
             if (!view) return view.error();
             checks.finite(*view);
             soup.add(*view);
-            // In a crowd triangles are larger, and cut deeper into round limbs as chords.
-            const float kept = is_crowd() ? 0.015f : 0.005f;
+            constexpr float kept = 0.005f;  // [m]
             const auto wear = WearMeter(character.garment().mesh, kept).measure(*view, character.capsules());
             // The skin differs from the capsules of the limbs by its chords and its folds.
             if (!character.skin_places())
