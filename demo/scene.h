@@ -27,6 +27,7 @@ struct SceneOptions {
     bool skin = false;                  ///< garments collide with the body's skin, not capsules
     Hold hold = Hold::highest_opening;  ///< of the scene garment
     bool y_is_up = false;               ///< up in the garment's file is +Y; else +Z
+    float unit = 0;  ///< metres in a unit of the garment's file; 0: a garment's size decides
 };
 
 /// A cloth of the scene, with its data for drawing.
@@ -54,6 +55,7 @@ struct SceneContent {
     std::vector<SceneCloth> cloths;
     std::vector<ColliderId> drawn_colliders;  ///< balls, capsules and boxes to draw; planes are the ground
     std::vector<SceneSolid> solids;
+    std::vector<std::string> notes{};  ///< for the user: what the scene has made of a file
     render::OrbitCamera camera;
 };
 
@@ -86,7 +88,7 @@ enum class SceneGroup { wind, play, wear, meet, learn, lab };
 /// One line of the registry.
 struct SceneEntry {
     const char* name;
-    const char* description;
+    const char* description;  ///< one sentence
     std::unique_ptr<Scene> (*make)();
     SceneGroup group;
     bool needs_garment = false;          ///< cannot be built without SceneOptions::garment

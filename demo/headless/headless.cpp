@@ -107,6 +107,8 @@ int run_headless(const Options& options, Simulation& simulation) {
         failures.note(Error{made.error().code, "no pictures: " + made.error().message});
     }
 
+    for (const std::string& note : simulation.content().notes)
+        std::fprintf(stderr, "weft_demo: note: %s\n", note.c_str());
     std::optional<Sequence> sequence;
     if (options.sequence) {
         auto begun = Sequence::begin(simulation, *options.sequence, options.out);

@@ -62,9 +62,12 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& han
     if (help) help_window(help, window.x - covered_);
     if (simulation.entry().group == SceneGroup::lab) lab_ = &simulation.entry();
     if (lab_ == nullptr) lab_ = &*std::ranges::find(all_scenes(), SceneGroup::lab, &SceneEntry::group);
+    own_file = own_file && simulation.entry().takes_garment && !simulation.options().garment.empty();
     if (help) return requests;
     if (gallery)
         demo::gallery(gallery, simulation.entry(), *lab_, pictures_, window.x - covered_, requests);
+    else if (own_file)
+        file_window(own_file, simulation, message, window.x - covered_, requests);
     return requests;
 }
 
@@ -82,7 +85,7 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     hands_panel(hands);
     note(cloth_panel(simulation));
     picture_panel(look);
-    files_panel(simulation, look, requests);
+    files_panel(simulation, look, own_file);
     note(inside_panel(simulation, look.inside));
     note(times_panel(simulation, history_, residual_, look));
     note(method_panel(simulation));
@@ -114,7 +117,8 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
 /// Draws messages and troubles over the scene's upper left corner.
 void Panels::show_messages(const Simulation& simulation, const Playback& playback, float room) {
     note_troubles(simulation, playback);
-    if (help || gallery || (message.empty() && troubles_.empty())) return;  // windows cover their place
+    if (help || gallery || own_file || (message.empty() && troubles_.empty()))
+        return;  // windows cover their place
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.5f * em, 0.5f * em});
     ImGui::SetNextWindowBgAlpha(0.6f);

@@ -66,6 +66,7 @@ class Panels {
     bool collapsed = false;  ///< to a tab
     bool help = false;
     bool gallery = false;   ///< all scenes are shown
+    bool own_file = false;  ///< the choices for the user's own file are shown
     std::string message;    ///< why the last request failed, or its outcome
     /// Width of the window's right that the column covers, as last drawn [pixels].
     [[nodiscard]] float covered() const { return covered_; }
@@ -104,7 +105,11 @@ void scene_panel(const Simulation& simulation, ScenePictures& pictures, bool& ga
 [[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
 void picture_panel(Look& look);
 void compare_panel(const Simulation& simulation, Look& look);
-void files_panel(Simulation& simulation, Look& look, PanelRequests& requests);
+void files_panel(const Simulation& simulation, Look& look, bool& own_file);
+/// A window on the user's own file: its unit, its up axis, what holds it; within the `room` left of the
+/// column [pixels]. `message`: the last request's outcome.
+void file_window(bool& shown, Simulation& simulation, const std::string& message, float room,
+                 PanelRequests& requests);
 [[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
 [[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, float residual,
                                        const Look& look);

@@ -66,6 +66,7 @@ class Walkers final : public Scene {
                     {0.75f, 0.72f, 0.68f},
                     character.skin_places()});
         }
+        content.notes = walkers_.front().garment().notes;
         const float size = 0.5f * crowd_spacing * static_cast<float>(rows_ + columns_ - 2);
         content.camera = {.target = {0, 0.85f, 0},
                           .distance = 3.0f + 1.6f * size,
@@ -106,6 +107,7 @@ class Walkers final : public Scene {
         settings.motion = options.motion;
         settings.runs = run_;
         settings.garment = options.garment;
+        settings.unit = options.unit;
         settings.speed = options.speed;
         if (options.skin) settings.surface = BodySurface::skin;
         settings.particles = options.particles / (rows_ * columns_);

@@ -287,6 +287,7 @@ class App {
         camera_ = simulation_.content().camera;
         beside_ = 0;
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
+        for (const std::string& note : simulation_.content().notes) panels_.message += note + "\n";
     }
 
     /// Fits the whole scene into the part of the window that panels leave free.
@@ -304,6 +305,7 @@ class App {
         if (kind == FileKind::unknown)
             return complain({ErrorCode::invalid_argument, file.string() + " is no OBJ, glTF or JSON file"});
         options_.scene_options.garment = file;
+        panels_.own_file = true;
         change_scene(*find_scene(kind == FileKind::garment ? "garment" : "character"));
     }
 
