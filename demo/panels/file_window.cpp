@@ -14,7 +14,7 @@ bool unit_menu(float& unit) {
     constexpr const char* names[] = {"by its size", "metres", "centimetres", "millimetres", "inches"};
     auto chosen = static_cast<int>(std::ranges::find(units, unit) - units.begin());
     const bool changed = ImGui::Combo("its unit", &chosen, names, static_cast<int>(units.size()));
-    tooltip("By its size: that by which it is as large as a garment. On a body: metres.");
+    tooltip("By its size: that by which it is as large as a garment.");
     if (changed) unit = units[static_cast<std::size_t>(chosen)];
     return changed;
 }

@@ -9,8 +9,7 @@ namespace {
 
 /// The titles of the groups, in the order of SceneGroup.
 constexpr const char* titles[] = {"Wind", "Play", "Wear", "Meet", "Learn", "Contact lab"};
-constexpr const char* lab_sentence =
-    "Stacks, folds, knots: ten experiments of cloth that touches cloth. The panel has the choice.";
+constexpr const char* lab_sentence = "Ten experiments of cloth that touches cloth; the panel has the choice.";
 
 /// A card's picture, and the whole card: picture, name, three lines.
 struct CardSize {

@@ -130,6 +130,12 @@ Result<void> check_size(const std::filesystem::path& file, const Mesh& mesh) {
             "in metres"};
 }
 
+/// A metre, or the smaller unit by which the mesh has a garment's size.
+float unit_by_size(const Mesh& mesh) {
+    const float guess = guessed_unit(mesh);
+    return guess == 0.01f || guess == 0.001f || guess == 0.0254f ? guess : 1;
+}
+
 Result<Mesh> read_mesh(const std::filesystem::path& file, float unit, Garment& garment) {
     ObjReport report;
     auto mesh = load_obj(file, {}, &report);
@@ -137,6 +143,7 @@ Result<Mesh> read_mesh(const std::filesystem::path& file, float unit, Garment& g
     if (report.crossing_faces > 0)
         garment.notes.push_back(file.string() + ": faces whose outlines cross themselves: " +
                                 std::to_string(report.crossing_faces) + "; their triangles overlap");
+    if (unit == 0) unit = unit_by_size(*mesh);
     for (Vec3& p : mesh->positions) p = to_vec3(unit * to_vector(p));
     mesh->pattern = mesh->texcoords;
     drop_unfit_pattern(*mesh);
