@@ -10,6 +10,13 @@ bool Scene::cut_before_step(World& /*world*/, SceneContent& /*content*/) {
     return false;
 }
 
+render::FabricLook two_sided(const Vec3& front, float stripe_width) {
+    const auto paler = [](float part) { return 0.5f * part + 0.25f; };
+    return {.front = front,
+            .back = {paler(front.x), paler(front.y), paler(front.z)},
+            .stripe_width = stripe_width};
+}
+
 const SceneEntry* find_scene(std::string_view name) {
     const std::span<const SceneEntry> scenes = all_scenes();
     const auto found =

@@ -27,6 +27,7 @@ struct SceneOptions {
     bool skin = false;                  ///< garments collide with the body's skin, not capsules
     Hold hold = Hold::highest_opening;  ///< of the scene garment
     bool y_is_up = false;               ///< up in the garment's file is +Y; else +Z
+    float unit = 0;  ///< metres in a unit of the garment's file; 0: a garment's size decides
 };
 
 /// A cloth of the scene, with its data for drawing.
@@ -36,7 +37,11 @@ struct SceneCloth {
     render::FabricLook look;
     Mesh fine{};                               ///< drawn in place of the mesh, where `drawn` is set
     std::shared_ptr<const DrawnMesh> drawn{};  ///< how `fine` follows the cloth
+    std::vector<Vec4> tints{};  ///< by vertex, as render::ClothFrame::colours; empty: the look's alone
 };
+
+/// A look whose back is paler than its front.
+[[nodiscard]] render::FabricLook two_sided(const Vec3& front, float stripe_width = 0);
 
 /// A solid of triangles in the scene.
 struct SceneSolid {
@@ -50,6 +55,7 @@ struct SceneContent {
     std::vector<SceneCloth> cloths;
     std::vector<ColliderId> drawn_colliders;  ///< balls, capsules and boxes to draw; planes are the ground
     std::vector<SceneSolid> solids;
+    std::vector<std::string> notes{};  ///< for the user: what the scene has made of a file
     render::OrbitCamera camera;
 };
 
@@ -66,7 +72,7 @@ class Scene {
     /// Called after before_step(): cuts cloth, in the content as well. True: cloth was cut.
     virtual bool cut_before_step(World& world, SceneContent& content);
 
-    /// Adds words and lines that show the world's present state.
+    /// Adds words, lines and solids that show the world's present state and what holds its cloth.
     virtual void annotate(const World& /*world*/, Annotation& /*to*/) const {}
 
     /// The scene's own test: after this many steps of 1/60 s ...
@@ -75,11 +81,16 @@ class Scene {
     [[nodiscard]] virtual Result<void> check(const World& world) const = 0;
 };
 
+/// A group of scenes in the gallery. The scenes of `lab` share one card there: they are experiments of
+/// contact.
+enum class SceneGroup { wind, play, wear, meet, learn, lab };
+
 /// One line of the registry.
 struct SceneEntry {
     const char* name;
-    const char* description;
+    const char* description;  ///< one sentence
     std::unique_ptr<Scene> (*make)();
+    SceneGroup group;
     bool needs_garment = false;          ///< cannot be built without SceneOptions::garment
     bool takes_garment = needs_garment;  ///< can be built with one
     bool takes_motion = false;           ///< uses SceneOptions::motion, speed and skin

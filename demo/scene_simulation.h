@@ -55,6 +55,7 @@ class Simulation {
     [[nodiscard]] const Scene& scene() const { return *scene_; }
     /// Options by which the scene is built; changes take effect at the next restart().
     [[nodiscard]] SceneOptions& options() { return options_; }
+    [[nodiscard]] const SceneOptions& options() const { return options_; }
     [[nodiscard]] World& world() { return world_; }
     [[nodiscard]] const World& world() const { return world_; }
     [[nodiscard]] const SceneContent& content() const { return content_; }

@@ -34,7 +34,7 @@ Result<std::unique_ptr<Motion>> make_motion(const CharacterSettings& settings) {
 }
 
 Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& skeleton, const Body& body) {
-    if (!settings.garment.empty()) return read_garment(settings.garment);
+    if (!settings.garment.empty()) return read_garment(settings.garment, settings.unit);
     Pose pose;
     place_joints(skeleton, body.stance(skeleton, Fit().arms), pose);
     Garment dress = make_dress(body, pose, settings.particles == 0 ? 3100 : settings.particles);

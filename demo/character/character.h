@@ -23,6 +23,7 @@ struct CharacterSettings {
     std::filesystem::path motion;   ///< a BVH file, or a pipe (live_motion.h); empty: the walk that ships
     bool runs = false;              ///< without a motion file: the run that ships
     std::filesystem::path garment;  ///< an OBJ or glTF file; empty: the dress that ships
+    float unit = 0;                 ///< metres in a unit of an OBJ file; 0: a garment's size decides
     std::uint32_t particles = 0;    ///< of the dress that ships, about; 0: 3100
     std::uint32_t drawn = 0;        ///< vertices of a finer dress that is drawn instead, about; 0: none
     double speed = 1;               ///< factor on the motion's own speed

@@ -24,7 +24,7 @@ Hands::Holding Hands::take(const Pointer& pointer, float aspect, const Simulatio
     if (pointer.over_panel || pointer.other_button || pointer.has_knife) return Holding::other;
     if (arrow_.is_under({aspect * pointer.x, pointer.y}, wind)) return Holding::arrow;
     const render::Ray ray = camera.ray(pointer.x, pointer.y, aspect);
-    const auto cloth = pointed_cloth(simulation, ray);
+    const auto cloth = pointed_cloth(simulation.world(), ray);
     const float nearer_than = cloth ? cloth->distance : std::numeric_limits<float>::infinity();
     const bool held = collider_.begin(simulation.world(), simulation.content().drawn_colliders, ray,
                                       looking_along(camera), nearer_than);
@@ -34,6 +34,7 @@ Hands::Holding Hands::take(const Pointer& pointer, float aspect, const Simulatio
 bool Hands::update(const Pointer& pointer, float aspect, Simulation& simulation, render::OrbitCamera& camera,
                    WindControl& wind) {
     arrow_.place(camera, aspect);
+    eye_ = camera.eye();
     if (!pointer.left_button && !pointer.other_button) {
         holding_ = Holding::nothing;
         collider_.end();
@@ -56,7 +57,7 @@ Result<void> Hands::pin_or_unpin(Simulation& simulation, const render::Ray& ray)
         interaction_.leave_pinned();
         return {};
     }
-    const auto cloth = pointed_cloth(simulation, ray);
+    const auto cloth = pointed_cloth(simulation.world(), ray);
     if (!cloth) return {};
     return cloth->is_pinned ? simulation.world().unpin(cloth->cloth, cloth->vertex)
                             : simulation.world().pin(cloth->cloth, cloth->vertex);
@@ -87,7 +88,7 @@ void Hands::before_step(Simulation& simulation, float dt) {
 }
 
 void Hands::after_step(const Simulation& simulation, float dt) {
-    streaks.step(simulation.world(), dt);
+    streaks.step(simulation.world(), dt, eye_);
 }
 
 HandMark Hands::mark() const {

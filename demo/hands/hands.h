@@ -63,6 +63,7 @@ class Hands {
                  const render::OrbitCamera& camera, const WindControl& wind);
 
     Holding holding_ = Holding::nothing;
+    Vec3 eye_{};  // of the camera
     WindArrow arrow_;
     HeldCollider collider_;
     Interaction interaction_;

@@ -19,6 +19,7 @@ class KeyTaps {
     void listen_to(GLFWwindow* window);
     /// Number of presses of the key; `repeats`: includes the repeats of a held key.
     [[nodiscard]] int count(int key, bool repeats = false) const;
+    [[nodiscard]] bool empty() const { return taps_.empty(); }
     void forget() { taps_.clear(); }
 
   private:

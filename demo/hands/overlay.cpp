@@ -120,10 +120,10 @@ void draw_pins(const Pen& pen, const Simulation& simulation) {
 }  // namespace
 
 void draw_overlay(const Hands& hands, const Simulation& simulation, const render::OrbitCamera& camera,
-                  const WindControl& wind) {
+                  const WindControl& wind, bool pins) {
     const Pen pen(camera);
     draw_air(pen, hands.air);
-    draw_pins(pen, simulation);
+    if (pins) draw_pins(pen, simulation);
     draw_arrow(pen, hands.arrow(), wind, hands.holds_arrow());
 }
 

@@ -5,9 +5,10 @@
 
 namespace weft::demo {
 
-/// Draws the overlay under all panels. Called between ImGuiLayer's begin() and end().
+/// Draws the overlay under all panels, with dots at pins if `pins` is set. Called between ImGuiLayer's
+/// begin() and end().
 void draw_overlay(const Hands& hands, const Simulation& simulation, const render::OrbitCamera& camera,
-                  const WindControl& wind);
+                  const WindControl& wind, bool pins);
 
 /// Adds the hands' controls, and a line for each of their keys, to the open panel.
 void hands_controls(Hands& hands);

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 
 #include "demo/hands/held_collider.h"
-#include "demo/window/pick.h"
 #include "engine/vector.h"
 
 namespace weft::demo {
@@ -17,17 +16,18 @@ std::optional<Vec2> project(const render::OrbitCamera& camera, const Vec3& point
     return Vec2{(0.5f + 0.5f * seen.x() / seen.w()) * aspect, 0.5f - 0.5f * seen.y() / seen.w()};
 }
 
-std::optional<PointedCloth> pointed_cloth(const Simulation& simulation, const render::Ray& ray) {
-    std::optional<PointedCloth> nearest;
-    for (const SceneCloth& cloth : simulation.content().cloths) {
-        const auto view = simulation.world().cloth(cloth.id);
-        const auto hit = view ? first_hit(*view, ray) : std::nullopt;
-        if (!hit || (nearest && hit->distance >= nearest->distance)) continue;
-        const auto vertex = std::ranges::find(view->vertex_to_particle, hit->particle);
-        nearest = {cloth.id, static_cast<std::uint32_t>(vertex - view->vertex_to_particle.begin()),
-                   hit->distance, view->positions[hit->particle].w == 0};
-    }
-    return nearest;
+std::optional<PointedCloth> pointed_cloth(const World& world, const render::Ray& ray) {
+    const auto hit = world.cast_ray(ray.origin, ray.direction);
+    if (!hit || !*hit) return std::nullopt;
+    const ClothPoint& point = **hit;
+    const ClothView view = world.cloth(point.cloth).value();
+    const auto distance = [&](std::uint32_t particle) {
+        return (xyz(view.positions[particle]) - to_vector(point.position)).squaredNorm();
+    };
+    const std::uint32_t particle = *std::ranges::min_element(view.triangles[point.triangle], {}, distance);
+    const auto vertex = std::ranges::find(view.vertex_to_particle, particle);
+    return PointedCloth{point.cloth, static_cast<std::uint32_t>(vertex - view.vertex_to_particle.begin()),
+                        point.distance, view.positions[particle].w == 0};
 }
 
 Vec3 pointed_place(const Simulation& simulation, const render::OrbitCamera& camera, const render::Ray& ray) {
@@ -38,7 +38,7 @@ Vec3 pointed_place(const Simulation& simulation, const render::OrbitCamera& came
         along = distance;
         any = true;
     };
-    if (const auto cloth = pointed_cloth(simulation, ray)) meet(cloth->distance);
+    if (const auto cloth = pointed_cloth(simulation.world(), ray)) meet(cloth->distance);
     for (const ColliderId id : simulation.content().drawn_colliders) {
         const auto collider = simulation.world().collider(id);
         const auto distance = collider ? distance_to(*collider, ray) : std::nullopt;

@@ -18,7 +18,7 @@ struct PointedCloth {
     float distance = 0;
     bool is_pinned = false;
 };
-[[nodiscard]] std::optional<PointedCloth> pointed_cloth(const Simulation& simulation, const render::Ray& ray);
+[[nodiscard]] std::optional<PointedCloth> pointed_cloth(const World& world, const render::Ray& ray);
 
 /// The ray's first hit on cloth, a drawn collider or the floor, within twice the camera's distance. Without a
 /// hit: the point at the camera's distance.

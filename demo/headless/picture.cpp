@@ -119,7 +119,7 @@ void Picture::update(const Simulation& simulation) {
             update_fine(drawn, *cloth, i);
             continue;
         }
-        colour_particles(inside_.colour, drawn.mesh, *cloth, colours_);
+        colour_particles(inside_.colour, drawn, *cloth, colours_);
         if (fine_[i].rounded.size() > 0) {
             update_rounded(*cloth, i,
                            simulation.world().cloth_settings(drawn.id)->self_collision.method !=
@@ -185,6 +185,8 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     for (const ColliderId id : simulation.content().drawn_colliders) add_collider(simulation.world(), id);
     for (const ColliderId id : thrown) add_collider(simulation.world(), id);
     if (other_ != nullptr) add_colliders_beside();
+    spheres_.insert(spheres_.end(), drawing_.spheres.begin(), drawing_.spheres.end());
+    capsules_.insert(capsules_.end(), drawing_.capsules.begin(), drawing_.capsules.end());
     view_.camera = camera;
     view_.quality = quality_;
     view_.wireframe = inside_.wireframe;

@@ -1,6 +1,7 @@
 #include "demo/headless/report_text.h"
 
 #include <cmath>
+#include <regex>
 
 namespace weft::demo {
 
@@ -23,8 +24,7 @@ constexpr FlagText texts[] = {
     {StepFlags::speed_limited,
      "Particles were held to the largest speed: look for a pin or a collider that jumps."},
     {StepFlags::unsolved,
-     "The cloth is softer or slower than its material for a moment: more substeps or passes under "
-     "\"How it is computed\" keep it true."},
+     "The cloth was softer or slower than its material: more substeps or passes keep it true."},
     {StepFlags::pins_stopped, "A pin was stopped by cloth in its way: move it slower, or round it."},
     {StepFlags::crossed, "Cloth went through cloth, which contact should not let it: a fault of Weft."}};
 
@@ -38,6 +38,11 @@ std::string flags_text(StepFlags flags, float wind_speed) {
         result.append(wind ? blown : text).append("\n");
     }
     return result;
+}
+
+std::string plain_words(const std::string& message) {
+    static const std::regex type("[A-Za-z_]+::");
+    return std::regex_replace(message, type, "");
 }
 
 float speed_of(const Wind& wind) {

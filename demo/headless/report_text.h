@@ -12,6 +12,10 @@ namespace weft::demo {
 /// `wind_speed` [m/s]: a strong wind is a cause, too.
 [[nodiscard]] std::string flags_text(StepFlags flags, float wind_speed);
 
+/// A message without the names of the library's types, which a player does not know: "Fabric::warp is -1"
+/// becomes "warp is -1".
+[[nodiscard]] std::string plain_words(const std::string& message);
+
 /// The wind's greatest speed with its gusts [m/s].
 [[nodiscard]] float speed_of(const Wind& wind);
 

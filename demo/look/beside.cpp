@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "demo/look/inside.h"
+
 namespace weft::demo {
 
 void Beside::begin(const Simulation& other, const Simulation& first, render::SceneRenderer& renderer) {
@@ -39,11 +41,14 @@ void Beside::show(const Simulation* other, const Simulation& first, render::Scen
     }
     if (cloths_.empty()) begin(*other, first, renderer);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
-        const auto view = other->world().cloth(other->content().cloths[i].id);
+        const SceneCloth& cloth = other->content().cloths[i];
+        const auto view = other->world().cloth(cloth.id);
         if (!view) continue;
+        colour_particles(ShownAsColour::nothing, cloth, *view, colours_);
         renderer.update_cloth(cloths_[i], {.positions = moved(view->positions, positions_),
                                            .previous_positions = moved(view->previous_positions, previous_),
-                                           .normals = view->normals});
+                                           .normals = view->normals,
+                                           .colours = colours_});
     }
 }
 

@@ -22,7 +22,7 @@ class Beside {
 
     std::vector<render::ClothHandle> cloths_;
     Vec3 offset_;
-    std::vector<Vec4> positions_, previous_;
+    std::vector<Vec4> positions_, previous_, colours_;
 };
 
 }  // namespace weft::demo

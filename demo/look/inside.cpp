@@ -40,8 +40,7 @@ void collect(const Mesh& mesh, const ClothView& view, std::vector<Vec4>& colours
 }  // namespace
 
 void InsideDrawing::take(const World& world, DebugParts parts) {
-    lines.clear();
-    words.clear();
+    static_cast<Annotation&>(*this) = {};
     const DebugCanvas canvas{.user = this,
                              .line =
                                  [](void* user, const Vec3& from, const Vec3& to, const Vec3& colour) {
@@ -54,11 +53,17 @@ void InsideDrawing::take(const World& world, DebugParts parts) {
     world.debug_draw(canvas, parts);
 }
 
-void colour_particles(ShownAsColour what, const Mesh& mesh, const ClothView& view,
+void colour_particles(ShownAsColour what, const SceneCloth& cloth, const ClothView& view,
                       std::vector<Vec4>& colours) {
     colours.clear();
-    if (what == ShownAsColour::nothing) return;
+    if (what == ShownAsColour::nothing && cloth.tints.empty()) return;
+    const Mesh& mesh = cloth.mesh;
     colours.resize(view.positions.size());
+    if (what == ShownAsColour::nothing) {
+        for (std::size_t vertex = 0; vertex < cloth.tints.size(); ++vertex)
+            colours[view.vertex_to_particle[vertex]] = cloth.tints[vertex];
+        return;
+    }
     if (what == ShownAsColour::speed) {
         for (std::size_t i = 0; i < colours.size(); ++i)
             colours[i] = heat(xyz(view.velocities[i]).norm() / 10);

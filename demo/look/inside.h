@@ -24,14 +24,14 @@ struct Inside {
     }
 };
 
-/// World::debug_draw's lines and words, in the host's own memory.
+/// World::debug_draw's lines and words, and a scene's annotation, in the host's own memory.
 struct InsideDrawing : Annotation {
     void take(const World& world, DebugParts parts);
 };
 
 /// Colours of particles, for ClothFrame::colours: blue for small values, red at strain 5 %, at a bend of 45
-/// degrees between neighbours, or at 10 m/s. Empty for ShownAsColour::nothing. `mesh`: the cloth's rest mesh.
-void colour_particles(ShownAsColour what, const Mesh& mesh, const ClothView& view,
+/// degrees between neighbours, or at 10 m/s. For ShownAsColour::nothing the cloth's tints, or none.
+void colour_particles(ShownAsColour what, const SceneCloth& cloth, const ClothView& view,
                       std::vector<Vec4>& colours);
 
 /// The meaning of the colour scale's ends, for a legend.

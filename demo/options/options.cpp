@@ -47,7 +47,7 @@ void describe(CLI::App& app, Options& options) {
            "Size of window and pictures [pixels] (default: 1280x800)")
         ->type_name("WxH");
     app.add_option("--record", options.overrides.record,
-                   "Write down all that is done to the World, for weft_replay")
+                   "Write down all that is done to the cloth, for weft_replay")
         ->type_name("FILE");
     app.add_flag("--check-gl", options.check_gl,
                  "Have the OpenGL driver check what is drawn: what it objects to is printed, and the exit "

@@ -57,6 +57,9 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
                                             {"nothing", Hold::nothing}};
     app.add_option("--hold", options.scene_options.hold, "What holds the garment (default: opening)")
         ->transform(CLI::CheckedTransformer(holds).description("opening, top, border or nothing"));
+    const std::map<std::string, float> units{{"m", 1.0f}, {"cm", 0.01f}, {"mm", 0.001f}, {"in", 0.0254f}};
+    app.add_option("--unit", options.scene_options.unit, "Of the garment's file (default: by its size)")
+        ->transform(CLI::CheckedTransformer(units).description("m, cm, mm or in"));
     app.add_option("--settings", options.settings,
                    "JSON file of scene, wind, material and method, as the panels save it")
         ->type_name("FILE.json");
@@ -100,7 +103,7 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
         ->type_name("NAME|FILE.json");
     app.add_option("--iterations", options.overrides.iterations,
                    "Iterations of the method in each of its substeps")
-        ->check(CLI::Range(0, 10000));
+        ->check(CLI::Range(1, 10000));
     app.add_option("--substeps", options.overrides.substeps, "Steps of the solver in each 1/60 s")
         ->check(CLI::Range(1, 256));
     std::map<std::string, SelfCollisionMethod> names;

@@ -11,6 +11,7 @@ constexpr const char* lines[][2] = {
     {"right drag, wheel", "moves the camera, comes nearer; over what is held: its size"},
     {"arrow keys", "turn the wind; make it faster or slower"},
     {"T, P, F, B", "where the pointer is: throws a ball, pins or lets go, a fan, a blast"},
+    {"G", "all scenes"},
     {"1 to 9", "the first scenes"},
     {"space, N, comma, full stop", "stops and goes; a step; a step back, a step on"},
     {"R", "the scene from its start"},

@@ -106,7 +106,7 @@ bool tether_controls(Tethers& tethers) {
     bool changed = ImGui::Checkbox("tethers", &tethers.enabled);
     tooltip("No particle gets further from the pins than the way along the cloth.");
     if (tethers.enabled)
-        changed |= slider("slack", tethers.slack, 1, 2, "%.2f", "Times the length along the cloth.");
+        changed |= slider("slack", tethers.slack, 1, 2, "%.2f x", "Times the length along the cloth.");
     return changed;
 }
 

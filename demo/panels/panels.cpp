@@ -5,6 +5,7 @@
 #include "demo/hands/overlay.h"
 #include "demo/headless/report_text.h"
 #include "demo/panels/column.h"
+#include "demo/panels/gallery.h"
 #include "demo/panels/widgets.h"
 
 namespace weft::demo {
@@ -31,6 +32,7 @@ float StageHistory::at(std::size_t stage, std::size_t age) const {
 
 void Panels::forget() {
     history_.clear();
+    residual_ = 0;
     message.clear();
     troubles_.clear();
     look.comparison.reset();
@@ -39,6 +41,8 @@ void Panels::forget() {
 void Panels::record(const World& world) {
     history_.add(world.profile());
     look.times.add_step(world.report().milliseconds);
+    constexpr float share = 0.02f;  // of a step: the mean is over a second, about
+    residual_ += share * (world.report().residual - residual_);
 }
 
 PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& hands, const Playback& playback,
@@ -56,6 +60,14 @@ PanelRequests Panels::draw(Simulation& simulation, WindControl& wind, Hands& han
     }
     show_messages(simulation, playback, window.x - covered_);
     if (help) help_window(help, window.x - covered_);
+    if (simulation.entry().group == SceneGroup::lab) lab_ = &simulation.entry();
+    if (lab_ == nullptr) lab_ = &*std::ranges::find(all_scenes(), SceneGroup::lab, &SceneEntry::group);
+    own_file = own_file && simulation.entry().takes_garment && !simulation.options().garment.empty();
+    if (help) return requests;
+    if (gallery)
+        demo::gallery(gallery, simulation.entry(), *lab_, pictures_, window.x - covered_, requests);
+    else if (own_file)
+        file_window(own_file, simulation, message, window.x - covered_, requests);
     return requests;
 }
 
@@ -68,14 +80,14 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     tooltip("F1. Keys and mouse.");
     ImGui::SameLine();
     ImGui::Text("%.0f pictures a second", static_cast<double>(ImGui::GetIO().Framerate));
-    scene_panel(simulation, pictures_, requests);
+    scene_panel(simulation, pictures_, gallery, requests);
     note(wind_panel(simulation, wind, camera));
     hands_panel(hands);
     note(cloth_panel(simulation));
     picture_panel(look);
-    files_panel(simulation, look, requests);
+    files_panel(simulation, look, own_file);
     note(inside_panel(simulation, look.inside));
-    note(times_panel(simulation, history_, look));
+    note(times_panel(simulation, history_, residual_, look));
     note(method_panel(simulation));
     compare_panel(simulation, look);
 }
@@ -105,7 +117,8 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
 /// Draws messages and troubles over the scene's upper left corner.
 void Panels::show_messages(const Simulation& simulation, const Playback& playback, float room) {
     note_troubles(simulation, playback);
-    if (help || (message.empty() && troubles_.empty())) return;  // the help covers their place
+    if (help || gallery || own_file || (message.empty() && troubles_.empty()))
+        return;  // windows cover their place
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.5f * em, 0.5f * em});
     ImGui::SetNextWindowBgAlpha(0.6f);
@@ -114,7 +127,7 @@ void Panels::show_messages(const Simulation& simulation, const Playback& playbac
                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs;
     ImGui::Begin("messages", nullptr, flags);
     ImGui::PushTextWrapPos(std::min(34 * em, room - 2 * em));
-    if (!message.empty()) ImGui::TextUnformatted(message.c_str());
+    if (!message.empty()) ImGui::TextUnformatted(plain_words(message).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.98f, 0.72f, 0.40f, 1));
     if (!troubles_.empty())
         ImGui::TextUnformatted(troubles_.c_str(), troubles_.c_str() + troubles_.size() - 1);

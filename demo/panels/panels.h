@@ -65,7 +65,9 @@ class Panels {
     bool visible = true;
     bool collapsed = false;  ///< to a tab
     bool help = false;
-    std::string message;  ///< why the last request failed, or its outcome
+    bool gallery = false;   ///< all scenes are shown
+    bool own_file = false;  ///< the choices for the user's own file are shown
+    std::string message;    ///< why the last request failed, or its outcome
     /// Width of the window's right that the column covers, as last drawn [pixels].
     [[nodiscard]] float covered() const { return covered_; }
     Look look;
@@ -87,22 +89,30 @@ class Panels {
 
     StageHistory history_;
     ScenePictures pictures_;
-    std::string troubles_;  // troubles of the last steps, in words
+    const SceneEntry* lab_ = nullptr;  // experiment that the card of the contact lab starts
+    std::string troubles_;             // troubles of the last steps, in words
     float covered_ = 0;
+    float residual_ = 0;         // mean over about a second
     double troubled_until_ = 0;  // end of their display [s]
 };
 
 // One function for each panel, in a file of its name. Error: the simulation refuses the change.
-void scene_panel(const Simulation& simulation, ScenePictures& pictures, PanelRequests& requests);
+void scene_panel(const Simulation& simulation, ScenePictures& pictures, bool& gallery,
+                 PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);
 [[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
 void picture_panel(Look& look);
 void compare_panel(const Simulation& simulation, Look& look);
-void files_panel(Simulation& simulation, Look& look, PanelRequests& requests);
+void files_panel(const Simulation& simulation, Look& look, bool& own_file);
+/// A window on the user's own file: its unit, its up axis, what holds it; within the `room` left of the
+/// column [pixels]. `message`: the last request's outcome.
+void file_window(bool& shown, Simulation& simulation, const std::string& message, float room,
+                 PanelRequests& requests);
 [[nodiscard]] Result<void> inside_panel(Simulation& simulation, Inside& inside);
-[[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look);
+[[nodiscard]] Result<void> times_panel(Simulation& simulation, const StageHistory& history, float residual,
+                                       const Look& look);
 /// A window on keys and mouse, within the `room` left of the column [pixels].
 void help_window(bool& shown, float room);
 

@@ -76,7 +76,7 @@ void stage_row(const StageTime& stage, float whole, ImU32 color) {
     ImGui::TextUnformatted(stage.name);
     for (const float milliseconds : {stage.last, stage.p50, stage.p99}) {
         ImGui::TableNextColumn();
-        ImGui::Text("%.2f", static_cast<double>(milliseconds));
+        ImGui::TextUnformatted(in_column(milliseconds).c_str());
     }
     ImGui::TableNextColumn();
     if (whole > 0) ImGui::Text("%.0f %%", static_cast<double>(100 * stage.p50 / whole));
@@ -84,7 +84,7 @@ void stage_row(const StageTime& stage, float whole, ImU32 color) {
 
 void stage_table(std::span<const StageTime> stages) {
     if (!ImGui::BeginTable("stages", 5, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("part of a step", 0, 2.6f);
+    ImGui::TableSetupColumn("part of a step [ms]", 0, 2.6f);
     for (const char* title : {"now", "p50", "p99", "share"}) ImGui::TableSetupColumn(title, 0, 1);
     ImGui::TableHeadersRow();
     const std::size_t whole_step = stages.size() - 1;
@@ -93,8 +93,7 @@ void stage_table(std::span<const StageTime> stages) {
         stage_row(stages[s], whole, is_shown(stages[s]) ? stage_color(s) : IM_COL32_BLACK_TRANS);
     stage_row(stages[whole_step], whole, IM_COL32_BLACK_TRANS);
     ImGui::EndTable();
-    tooltip(
-        "Milliseconds of each part of a step: of the last, of the usual, and of the slowest in a hundred.");
+    tooltip("Of the last step, of the usual, and of the slowest in a hundred; share: of the whole step.");
 }
 
 constexpr ImU32 cloth_color = IM_COL32(86, 180, 233, 255), drawing_color = IM_COL32(230, 159, 0, 255),
@@ -140,7 +139,7 @@ void picture_table(const PictureTimes& times) {
     if (times.size() == 0) return;
     const PictureTime now = times.at(0), usual = times.percentile(0.5f), slow = times.percentile(0.99f);
     if (!ImGui::BeginTable("pictures", 5, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("of a picture", 0, 2.6f);
+    ImGui::TableSetupColumn("of a picture [ms]", 0, 2.6f);
     for (const char* title : {"now", "p50", "p99", "share"}) ImGui::TableSetupColumn(title, 0, 1);
     ImGui::TableHeadersRow();
     picture_row("cloth", cloth_color, now.cloth, usual.cloth, slow.cloth, usual.whole);
@@ -148,14 +147,13 @@ void picture_table(const PictureTimes& times) {
     picture_row("the rest", rest_color, now.rest(), usual.rest(), slow.rest(), usual.whole);
     picture_row("whole", IM_COL32_BLACK_TRANS, now.whole, usual.whole, slow.whole, usual.whole);
     ImGui::EndTable();
-    tooltip(
-        "Milliseconds of a picture; the rest is the window system, the panels, other programs, and waiting.");
+    tooltip("The rest is the window system, the panels, other programs, and waiting.");
 }
 
 /// Buttons for the budget of a step, and a bar of its use.
 bool budget_bar(WorldSettings& settings, const StepReport& report) {
     bool changed = false;
-    ImGui::TextUnformatted("budget");
+    ImGui::TextUnformatted("budget [ms]");
     for (const float milliseconds : {0.0f, 0.5f, 1.0f, 2.0f, 4.0f}) {
         char label[16];
         std::snprintf(label, sizeof label, milliseconds > 0 ? "%g" : "none",
@@ -184,7 +182,7 @@ bool budget_bar(WorldSettings& settings, const StepReport& report) {
     return changed;
 }
 
-/// The method's residual, in a word and a colour.
+/// The method's mean residual, in a word and a colour.
 void error_line(float residual) {
     const bool small = residual < 0.25f, some = residual < 0.6f;
     ImGui::TextUnformatted("error:");
@@ -197,17 +195,19 @@ void error_line(float residual) {
                        : some ? "some: a bit softer or slower than it should be"
                               : "large: softer or slower than its material");
     char text[200];
-    std::snprintf(text, sizeof text,
-                  "Part of the forces that the way of computing left unbalanced in the last step: %.2f. 0 is "
-                  "exact, 1 as "
-                  "if the cloth had no stiffness.",
-                  static_cast<double>(residual));
+    std::snprintf(
+        text, sizeof text,
+        "Part of the forces that the way of computing left unbalanced in the last second: %.2f. 0 is "
+        "exact, 1 as "
+        "if the cloth had no stiffness.",
+        static_cast<double>(residual));
     tooltip(text);
 }
 
 }  // namespace
 
-Result<void> times_panel(Simulation& simulation, const StageHistory& history, const Look& look) {
+Result<void> times_panel(Simulation& simulation, const StageHistory& history, float residual,
+                         const Look& look) {
     const Section section("Time of a picture");
     if (!section) return {};
     const float em = ImGui::GetFontSize();
@@ -217,7 +217,7 @@ Result<void> times_panel(Simulation& simulation, const StageHistory& history, co
     const StepReport& report = simulation.world().report();
     ImGui::TextWrapped("%u particles, %d substeps, %u contacts with bodies, %u with cloth", report.particles,
                        report.substeps, report.collider_contacts, report.self_contacts);
-    error_line(report.residual);
+    error_line(residual);
     WorldSettings settings = simulation.world().settings();
     const bool changed = budget_bar(settings, report);
     const auto stages = simulation.world().profile();

@@ -4,7 +4,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
+#include <string>
 #include <type_traits>
 
 namespace weft::demo {
@@ -23,6 +25,17 @@ inline void tooltip(const char* text) {
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+/// A number in five letters, so that slow steps fit into their column.
+inline std::string in_column(float number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f",
+                  number < 100    ? 2
+                  : number < 1000 ? 1
+                                  : 0,
+                  static_cast<double>(number));
+    return text;
 }
 
 /// Keeps the next item, of this width [pixels], in the line if there is room for it.

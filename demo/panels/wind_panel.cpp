@@ -97,7 +97,7 @@ Result<void> wind_panel(Simulation& simulation, WindControl& wind, const render:
         changed = true;
     }
     changed |=
-        slider("gusts", settings.wind.gust, 0, 2, "%.2f",
+        slider("gusts", settings.wind.gust, 0, 2, "%.2f x speed",
                "How much the wind comes and goes, over its speed: 0 blows evenly, 0.3 is a gusty day, 1 a "
                "stormy one.");
     changed |=

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "demo/scene.h"
+#include "demo/scenes/holders.h"
 #include "demo/scenes/measures.h"
 
 namespace weft::demo {
@@ -36,23 +37,25 @@ class Bar final : public Scene {
         const auto cloth = world.add_cloth(mesh_, settings);
         if (!cloth) return cloth.error();
         cloth_ = *cloth;
-        std::vector<std::uint32_t> top, lower;
+        std::vector<std::uint32_t> lower;
+        top_.clear();
         for (std::uint32_t column = 0; column < mesh_.columns; ++column) {
-            top.push_back(column);
+            top_.push_back(column);
             lower.push_back((mesh_.rows - 1) * mesh_.columns + column);
         }
-        if (auto pinned = world.pin(cloth_, top); !pinned) return pinned.error();
+        if (auto pinned = world.pin(cloth_, top_); !pinned) return pinned.error();
         const auto shown = add_bar(world, lower);
         if (!shown) return shown.error();
 
         SceneContent content;
-        content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.42f, 0.12f, 0.08f}, .back = {0.36f, 0.14f, 0.1f}, .stripe_width = 0.16f}});
+        content.cloths.push_back({cloth_, mesh_, two_sided({0.42f, 0.12f, 0.08f}, 0.16f)});
         content.drawn_colliders = {*shown};
         content.camera = {.target = {0, 1.0f, 0}, .distance = 2.9f, .yaw = 0.7f, .pitch = 0.12f};
         return content;
+    }
+
+    void annotate(const World& world, Annotation& to) const override {
+        draw_holder(world.cloth(cloth_).value(), top_, Holder::rod, to);
     }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
@@ -98,6 +101,7 @@ class Bar final : public Scene {
     ClothId cloth_;
     BodyId bar_;
     Mesh mesh_;
+    std::vector<std::uint32_t> top_;
 };
 
 }  // namespace

@@ -1,8 +1,10 @@
 // Bodies with mass that cloth holds: a ball that falls into a hammock, a box on a trampoline.
 
 #include <algorithm>
+#include <array>
 
 #include "demo/scene.h"
+#include "demo/scenes/holders.h"
 #include "demo/scenes/measures.h"
 
 namespace weft::demo {
@@ -53,13 +55,20 @@ class BodyScene : public Scene {
         if (auto attached = world.attach_collider(body_, *shape); !attached) return attached.error();
 
         SceneContent content;
-        content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.16f, 0.42f, 0.5f}, .back = {0.2f, 0.36f, 0.4f}, .stripe_width = 0.1f}});
+        content.cloths.push_back({cloth_, mesh_, two_sided({0.16f, 0.42f, 0.5f}, 0.1f)});
         content.drawn_colliders = {*shape};
         content.camera = {.target = {0, 0.75f, 0}, .distance = 2.6f, .yaw = 0.5f, .pitch = 0.3f};
         return content;
+    }
+
+    void annotate(const World& world, Annotation& to) const override {
+        const ClothView view = world.cloth(cloth_).value();
+        const std::uint32_t side = mesh_.columns - 1, last = (mesh_.rows - 1) * mesh_.columns;
+        const std::array corners{0u, side, last + side, last};
+        draw_holder(view, corners, Holder::posts, to);
+        if (!props_.border) return;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            draw_holder(view, std::array{corners[k], corners[(k + 1) % 4]}, Holder::rod, to);
     }
 
     [[nodiscard]] Result<void> check(const World& world) const override {

@@ -1,7 +1,9 @@
 // A garment from an OBJ file whose texture coordinates are its flat pattern, or from a glTF file, hung by its
 // highest opening in a breeze.
 
-#include <cmath>
+#include <algorithm>
+#include <cstdio>
+#include <string>
 
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/gltf_mesh.h"
@@ -12,19 +14,6 @@ namespace weft::demo {
 namespace {
 
 constexpr float above_ground = 0.45f;  // the lowest point's height at the start [m]
-
-/// Scales a mesh to a metre if it has no garment's size: it is in other units, or no garment.
-void bring_to_size(Mesh& mesh) {
-    constexpr float smallest = 0.2f, largest = 3;  // [m]
-    Vector3 lower = to_vector(mesh.positions.front()), upper = lower;
-    for (const Vec3& p : mesh.positions) {
-        lower = lower.cwiseMin(to_vector(p));
-        upper = upper.cwiseMax(to_vector(p));
-    }
-    const float size = (upper - lower).maxCoeff();
-    if (!(size > 0) || (size >= smallest && size <= largest)) return;
-    for (Vec3& p : mesh.positions) p = to_vec3(to_vector(p) / size);
-}
 
 std::vector<std::uint32_t> held_vertices(const Mesh& mesh, Hold hold) {
     switch (hold) {
@@ -40,8 +29,15 @@ std::vector<std::uint32_t> held_vertices(const Mesh& mesh, Hold hold) {
     return {};
 }
 
+std::string unit_in_words(const std::filesystem::path& file, float unit) {
+    char words[64];
+    std::snprintf(words, sizeof words, " is read in units of %.4g mm", static_cast<double>(1000 * unit));
+    return file.filename().string() + words + ", which gives it a garment's size";
+}
+
 /// The file's mesh, its triangles quartered while `particles` is more than twice the number of vertices.
-Result<Mesh> load_garment(const SceneOptions& options) {
+/// `note`: a unit that was guessed.
+Result<Mesh> load_garment(const SceneOptions& options, std::string& note) {
     const bool gltf = is_gltf(options.garment);
     auto loaded =
         gltf ? read_gltf_mesh(options.garment) : load_obj(options.garment, {.texcoords_are_pattern = true});
@@ -50,7 +46,9 @@ Result<Mesh> load_garment(const SceneOptions& options) {
     Mesh mesh = std::move(*loaded);
     if (options.y_is_up || gltf)
         for (Vec3& p : mesh.positions) p = {p.x, -p.z, p.y};
-    bring_to_size(mesh);
+    const float unit = options.unit > 0 ? options.unit : guessed_unit(mesh);
+    for (Vec3& p : mesh.positions) p = to_vec3(unit * to_vector(p));
+    if (options.unit == 0 && unit != 1) note = unit_in_words(options.garment, unit);
     drop_unfit_pattern(mesh);
     stand_upright(mesh, above_ground);
     while (options.particles > 2 * mesh.positions.size()) mesh = refined(mesh);
@@ -74,7 +72,7 @@ class HungGarment final : public Scene {
             return Error{ErrorCode::invalid_argument,
                          "scene garment needs an OBJ or glTF file; name one with --garment"};
         }
-        auto mesh = load_garment(options);
+        auto mesh = load_garment(options, note_);
         if (!mesh) return mesh.error();
         mesh_ = std::move(*mesh);
 
@@ -113,10 +111,12 @@ class HungGarment final : public Scene {
         if (!view) return view.error();
         const Bounds& box = view->bounds;
         SceneContent content;
-        content.cloths.push_back(
-            {cloth_, mesh_, {.front = {0.13f, 0.32f, 0.26f}, .back = {0.16f, 0.32f, 0.27f}}});
+        content.cloths.push_back({cloth_, mesh_, two_sided({0.13f, 0.32f, 0.26f})});
+        if (!note_.empty()) content.notes.push_back(note_);
+        const float size = std::max(
+            {box.upper.x - box.lower.x, box.upper.y - box.lower.y, 0.7f * (box.upper.z - box.lower.z)});
         content.camera = {.target = {0, 0.5f * (box.lower.y + box.upper.y) - 0.05f, 0},
-                          .distance = 0.4f + 1.7f * (box.upper.y - box.lower.y),
+                          .distance = 0.4f + 1.7f * size,
                           .yaw = 0.5f,
                           .pitch = 0.1f};
         return content;
@@ -125,6 +125,7 @@ class HungGarment final : public Scene {
     ClothId cloth_;
     Mesh mesh_;
     std::vector<std::uint32_t> pins_;
+    std::string note_;
 };
 
 }  // namespace

@@ -38,10 +38,7 @@ class Rag final : public Scene {
         if (auto ground = world.add_collider({.shape = Plane{}}); !ground) return ground.error();
 
         SceneContent content;
-        content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.68f, 0.62f, 0.5f}, .back = {0.6f, 0.55f, 0.45f}, .stripe_width = 0.1f}});
+        content.cloths.push_back({cloth_, mesh_, two_sided({0.42f, 0.14f, 0.36f}, 0.1f)});
         content.drawn_colliders = {ball_};
         content.camera = {.target = {0, 0.45f, 0}, .distance = 2.4f, .yaw = 0.35f, .pitch = 0.22f};
         return content;

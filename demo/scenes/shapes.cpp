@@ -139,7 +139,7 @@ void Shapes::make_stands() {
     stands_.push_back(
         {"distance field", 0.47f, DistanceField{.cell = 0.012f}, pot, {}, {0.55f, 0.28f, 0.10f}});
     stands_.push_back(
-        {"height field", top_of_hill, field, surface_of(field), {-0.4f, 0, -0.4f}, {0.42f, 0.44f, 0.40f}});
+        {"height field", top_of_hill, field, surface_of(field), {-0.4f, 0, -0.4f}, {0.16f, 0.15f, 0.15f}});
     for (Stand& stand : stands_) {
         if (auto* mesh = std::get_if<TriangleMesh>(&stand.shape)) *mesh = solid(stand.drawn);
         if (auto* distances = std::get_if<DistanceField>(&stand.shape)) distances->mesh = solid(stand.drawn);
@@ -185,7 +185,7 @@ Result<void> Shapes::build_stand(World& world, std::uint32_t k, std::uint32_t pa
     content.drawn_colliders.push_back(*added);
     for (Vec3& p : stand.drawn.positions)
         p = {p.x + at.x + stand.middle.x, p.y + at.y + stand.middle.y, p.z + at.z + stand.middle.z};
-    if (!stand.drawn.positions.empty()) content.solids.push_back({stand.drawn, {0.5f, 0.48f, 0.45f}});
+    if (!stand.drawn.positions.empty()) content.solids.push_back({stand.drawn, {0.30f, 0.36f, 0.46f}});
 
     // Each sheet is turned by another angle, so that their folds differ.
     const float angle = 0.3f + 0.35f * static_cast<float>(k);
@@ -204,12 +204,7 @@ Result<void> Shapes::build_stand(World& world, std::uint32_t k, std::uint32_t pa
     const auto cloth = world.add_cloth(*mesh, settings);
     if (!cloth) return cloth.error();
     cloths_.push_back(*cloth);
-    const auto paler = [](float part) { return 0.6f * part + 0.2f; };
-    content.cloths.push_back({*cloth,
-                              *mesh,
-                              {.front = stand.front,
-                               .back = {paler(stand.front.x), paler(stand.front.y), paler(stand.front.z)},
-                               .stripe_width = 0.09f}});
+    content.cloths.push_back({*cloth, *mesh, two_sided(stand.front, 0.09f)});
     return {};
 }
 

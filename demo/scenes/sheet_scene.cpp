@@ -43,10 +43,7 @@ class Sheet final : public Scene {
         if (!ground) return ground.error();
 
         SceneContent content;
-        content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.62f, 0.45f, 0.16f}, .back = {0.55f, 0.42f, 0.2f}, .stripe_width = 0.18f}});
+        content.cloths.push_back({cloth_, mesh_, two_sided({0.62f, 0.45f, 0.16f}, 0.18f)});
         content.drawn_colliders = {*ball};
         content.camera = {.target = {0, 0.32f, 0}, .distance = 3.1f, .yaw = 0.6f, .pitch = 0.45f};
         return content;

@@ -7,6 +7,7 @@
 
 #include "demo/cutting/cut_scene.h"
 #include "demo/scene.h"
+#include "demo/scenes/holders.h"
 #include "demo/scenes/measures.h"
 
 namespace weft::demo {
@@ -56,8 +57,7 @@ class Tear final : public Scene {
         whole_ = *mesh;
 
         SceneContent content;
-        content.cloths.push_back(
-            {*cloth, whole_, {.front = {0.55f, 0.14f, 0.12f}, .back = {0.5f, 0.18f, 0.15f}}});
+        content.cloths.push_back({*cloth, whole_, two_sided({0.55f, 0.14f, 0.12f})});
         content.camera = {.target = {0, 0.95f, 0}, .distance = 3.3f, .yaw = 0.3f, .pitch = 0.1f};
         if (auto nicked = cut_cloth(world, content.cloths[0], nick_of(grid)); !nicked) return nicked.error();
         cloth_ = *cloth;
@@ -81,6 +81,11 @@ class Tear final : public Scene {
     bool cut_before_step(World& world, SceneContent& content) override {
         const auto torn = tear_cloth(world, content.cloths[0], tearing);
         return torn && *torn;
+    }
+
+    void annotate(const World& world, Annotation& to) const override {
+        for (const auto* end : {&left_, &right_})
+            draw_holder(world.cloth(cloth_).value(), *end, Holder::rod, to);
     }
 
     [[nodiscard]] int check_steps() const override { return 420; }

@@ -1,5 +1,5 @@
 #pragma once
-// Lines and words over a picture.
+// Lines and words over a picture, and solids that are only drawn.
 
 #include <string>
 #include <vector>
@@ -17,6 +17,8 @@ struct ShownWords {
 struct Annotation {
     std::vector<render::DrawnLine> lines;
     std::vector<ShownWords> words;
+    std::vector<render::DrawnSphere> spheres;
+    std::vector<render::DrawnCapsule> capsules;
 };
 
 }  // namespace weft::demo

@@ -20,6 +20,7 @@
 #include "demo/time/repeat_check.h"
 #include "demo/time/time_bar.h"
 #include "demo/time/timeline.h"
+#include "demo/window/camera_drift.h"
 #include "demo/window/keys.h"
 #include "weft/render/context.h"
 #include "weft/render/imgui_layer.h"
@@ -104,6 +105,7 @@ class App {
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
         make_room();
         if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
+        if (!size.empty()) drift(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
         keys_.forget();
         advance(seconds);
@@ -123,7 +125,7 @@ class App {
     void draw_panels() {
         draw_words(picture_, camera_);
         if (panels_.look.comparison) draw_names(picture_, simulation_, *panels_.look.comparison, camera_);
-        draw_overlay(hands_, simulation_, camera_, wind_);
+        draw_overlay(hands_, simulation_, camera_, wind_, has(panels_.look.inside.parts, DebugParts::pins));
         const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);
         TimeRequests time;
         if (panels_.visible)
@@ -134,7 +136,18 @@ class App {
         if (time.defaults) change_scene(simulation_.entry());
         if (std::exchange(panels_.look.wants_comparison, false)) compare();
         keep_settings();
-        if (requests.scene != nullptr) change_scene(*requests.scene);
+        if (requests.scene == nullptr) return;
+        options_.scene_options = simulation_.options();
+        change_scene(*requests.scene);
+    }
+
+    /// Keeps the cloth in the picture, and lets the camera go round while nobody does anything.
+    void drift(float aspect, float seconds) {
+        const ImGuiIO& io = ImGui::GetIO();
+        const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0;
+        const bool quiet = playback_.paused || panels_.look.comparison || panels_.look.recorder.recording();
+        if (moved || ImGui::IsAnyMouseDown() || !keys_.empty() || quiet) drift_.wake();
+        drift_.update(bounds_of_cloth(simulation_), aspect, seconds, camera_);
     }
 
     /// Applies the mouse and the gamepad.
@@ -193,6 +206,7 @@ class App {
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
         if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
         if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
+        if (keys_.count(GLFW_KEY_G) % 2 == 1) panels_.gallery = !panels_.gallery;
         if (read_look_keys(keys_, panels_.look)) panels_.visible = !panels_.visible;
         if (keys_.count(GLFW_KEY_R) > 0) restart();
         if (const int steps = keys_.count(GLFW_KEY_N, true); steps > 0) {
@@ -273,6 +287,7 @@ class App {
         camera_ = simulation_.content().camera;
         beside_ = 0;
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
+        for (const std::string& note : simulation_.content().notes) panels_.message += note + "\n";
     }
 
     /// Fits the whole scene into the part of the window that panels leave free.
@@ -290,6 +305,7 @@ class App {
         if (kind == FileKind::unknown)
             return complain({ErrorCode::invalid_argument, file.string() + " is no OBJ, glTF or JSON file"});
         options_.scene_options.garment = file;
+        panels_.own_file = true;
         change_scene(*find_scene(kind == FileKind::garment ? "garment" : "character"));
     }
 
@@ -359,6 +375,7 @@ class App {
     Playback playback_;
     WindControl wind_;
     render::OrbitCamera camera_;
+    CameraDrift drift_;
 };
 
 }  // namespace

@@ -1,29 +1,19 @@
 #include "demo/window/grab.h"
 
-#include <algorithm>
-#include <optional>
-
-#include "demo/window/pick.h"
+#include "demo/hands/project.h"
+#include "demo/scenes/measures.h"
 #include "engine/vector.h"
 
 namespace weft::demo {
 
-bool Grab::begin(World& world, std::span<const SceneCloth> cloths, const render::Ray& ray,
-                 const Vec3& forward) {
-    std::optional<Hit> nearest;
-    for (const SceneCloth& cloth : cloths) {
-        const auto view = world.cloth(cloth.id);
-        if (!view) continue;
-        const auto hit = first_hit(*view, ray);
-        if (!hit || (nearest && hit->distance >= nearest->distance)) continue;
-        nearest = hit;
-        cloth_ = cloth.id;
-        const auto vertex = std::ranges::find(view->vertex_to_particle, hit->particle);
-        vertex_ = static_cast<std::uint32_t>(vertex - view->vertex_to_particle.begin());
-        was_pinned_ = view->positions[hit->particle].w == 0;
-        hand_ = to_vec3(xyz(view->positions[hit->particle]));
-    }
-    active_ = nearest && world.pin(cloth_, vertex_).ok();
+bool Grab::begin(World& world, const render::Ray& ray, const Vec3& forward) {
+    const auto pointed = pointed_cloth(world, ray);
+    if (!pointed) return active_ = false;
+    cloth_ = pointed->cloth;
+    vertex_ = pointed->vertex;
+    was_pinned_ = pointed->is_pinned;
+    hand_ = to_vec3(vertex_position(world.cloth(cloth_).value(), vertex_));
+    active_ = world.pin(cloth_, vertex_).ok();
     forward_ = forward;
     target_ = hand_;
     return active_;

@@ -2,9 +2,7 @@
 // A hand on the cloth: it holds one particle and moves it with the pointer.
 
 #include <cstdint>
-#include <span>
 
-#include "demo/scene.h"
 #include "weft/render/camera.h"
 #include "weft/world.h"
 
@@ -17,7 +15,7 @@ class Grab {
 
     /// Takes hold of the particle under the ray. False if the ray meets no cloth. The hand moves in the plane
     /// through that particle normal to `forward`, the direction in which the camera looks.
-    bool begin(World& world, std::span<const SceneCloth> cloths, const render::Ray& ray, const Vec3& forward);
+    bool begin(World& world, const render::Ray& ray, const Vec3& forward);
     /// Sets the hand's target: the point of its plane on the ray.
     void aim(const render::Ray& ray);
     /// Moves the particle towards the target over the step of dt [s] that follows.

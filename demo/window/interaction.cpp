@@ -25,8 +25,7 @@ Interaction::Drag Interaction::begin_drag(const Pointer& pointer, float aspect, 
         knife_.begin(simulation, ray);
         return Drag::cut;
     }
-    const bool held =
-        grab_.begin(simulation.world(), simulation.content().cloths, ray, looking_direction(camera));
+    const bool held = grab_.begin(simulation.world(), ray, looking_direction(camera));
     return held ? Drag::grab : Drag::orbit;
 }
 

@@ -26,6 +26,16 @@ TEST_F(Program, ListsItsScenes) {
     }
 }
 
+TEST_F(Program, DoesNotCallClothSofterThanItIsForSingleFrames) {
+    for (const char* scene : {"trampoline", "crossed", "flag"}) {
+        const Ran ran = run_headless("--frames 40 --scene " + std::string(scene));
+        EXPECT_EQ(ran.status, 0);
+        EXPECT_EQ(ran.out.find("softer"), std::string::npos) << ran.out;
+    }
+    const Ran torn = run_headless("--frames 30 --scene yank");
+    EXPECT_NE(torn.out.find("A pin was stopped"), std::string::npos) << torn.out;
+}
+
 TEST_F(Program, NamesAnOptionThatIsNotThere) {
     expect_refusal(run("--self-collision 2"), "--self-collision 2");
 }

@@ -66,6 +66,26 @@ TEST(GarmentMesh, HangsAClosedMeshByItsTop) {
     EXPECT_EQ(highest_opening(tetrahedron), std::vector<std::uint32_t>{3});
 }
 
+TEST(GarmentMesh, HangsAnOpenSheetByOneEnd) {
+    const Mesh upright = *make_sheet({.rows = 9, .columns = 6, .u = {1, 0, 0}, .v = {0, -1, 0}});
+    const std::vector<std::uint32_t> top = highest_opening(upright);
+    EXPECT_EQ(top.size(), 6u) << "it can swing";
+    for (const std::uint32_t vertex : top) EXPECT_EQ(upright.positions[vertex].y, 0);
+    const Mesh flat = *make_sheet({.rows = 9, .columns = 6, .u = {1, 0, 0}, .v = {0, 0, 2}});
+    EXPECT_EQ(highest_opening(flat).size(), 6u) << "one of its short ends";
+}
+
+TEST(GarmentMesh, KnowsTheUnitByAGarmentsSize) {
+    for (const float unit : {1.0f, 0.01f, 0.001f}) {
+        Mesh mesh = tube();  // a metre high
+        for (Vec3& p : mesh.positions) p = {p.x / unit, p.y / unit, p.z / unit};
+        EXPECT_EQ(guessed_unit(mesh), unit);
+    }
+    Mesh house = tube();
+    for (Vec3& p : house.positions) p = {5 * p.x, 5 * p.y, 5 * p.z};
+    EXPECT_NEAR(guessed_unit(house), 0.2f, 1e-3f) << "no unit fits: it is as large as a garment";
+}
+
 TEST(GarmentMesh, RefinementQuartersTrianglesAndKeepsSeamsSewn) {
     const Mesh coarse = tube();
     const Mesh fine = refined(coarse);

@@ -14,7 +14,7 @@ constexpr Vec3 forward{0, 0, -1};
 TEST(Grab, HoldsTheParticleUnderTheRay) {
     SmallWorld small;
     Grab grab;
-    ASSERT_TRUE(grab.begin(small.world, small.cloths, SmallWorld::straight_at(0.31f, 0.58f), forward));
+    ASSERT_TRUE(grab.begin(small.world, SmallWorld::straight_at(0.31f, 0.58f), forward));
     EXPECT_EQ(grab.vertex(), SmallWorld::vertex(4, 3));
     EXPECT_EQ(small.position(grab.vertex()).w, 0);
 
@@ -30,7 +30,7 @@ TEST(Grab, HoldsTheParticleUnderTheRay) {
 TEST(Grab, MissesBesideTheCloth) {
     SmallWorld small;
     Grab grab;
-    EXPECT_FALSE(grab.begin(small.world, small.cloths, SmallWorld::straight_at(-0.2f, 0.5f), forward));
+    EXPECT_FALSE(grab.begin(small.world, SmallWorld::straight_at(-0.2f, 0.5f), forward));
     EXPECT_FALSE(grab.active());
     grab.end(small.world);
 }
@@ -38,7 +38,7 @@ TEST(Grab, MissesBesideTheCloth) {
 TEST(Grab, FollowsThePointerAtItsDepthAndNoFasterThanAHand) {
     SmallWorld small;
     Grab grab;
-    ASSERT_TRUE(grab.begin(small.world, small.cloths, SmallWorld::straight_at(0.5f, 0.5f), forward));
+    ASSERT_TRUE(grab.begin(small.world, SmallWorld::straight_at(0.5f, 0.5f), forward));
     grab.aim(SmallWorld::straight_at(0.9f, 0.8f));
     Vec4 last = small.position(grab.vertex());
     for (int i = 0; i < 30; ++i) {
@@ -56,7 +56,7 @@ TEST(Grab, FollowsThePointerAtItsDepthAndNoFasterThanAHand) {
 TEST(Grab, LetsGoOfWhatWasFree) {
     SmallWorld small;
     Grab grab;
-    ASSERT_TRUE(grab.begin(small.world, small.cloths, SmallWorld::straight_at(0.5f, 0.5f), forward));
+    ASSERT_TRUE(grab.begin(small.world, SmallWorld::straight_at(0.5f, 0.5f), forward));
     small.world.step(dt);
     grab.end(small.world);
     small.world.step(dt);
@@ -69,7 +69,7 @@ TEST(Grab, LeavesPinnedWhatTheScenePinned) {
     const std::uint32_t corner = SmallWorld::vertex(0, 0);
     ASSERT_TRUE(small.world.pin(small.cloths.front().id, corner).ok());
     Grab grab;
-    ASSERT_TRUE(grab.begin(small.world, small.cloths, SmallWorld::straight_at(0.01f, 0.99f), forward));
+    ASSERT_TRUE(grab.begin(small.world, SmallWorld::straight_at(0.01f, 0.99f), forward));
     ASSERT_EQ(grab.vertex(), corner);
     grab.end(small.world);
     small.world.step(dt);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "demo/window/pick.h"
+#include "demo/hands/project.h"
 #include "engine/vector.h"
 
 namespace weft::demo {
@@ -39,11 +39,10 @@ class Mouse : public testing::Test {
 
     /// Some place of the picture where there is cloth.
     std::optional<Vec2> cloth_in_picture() {
-        const auto view = simulation.world().cloth(simulation.content().cloths.front().id);
         for (float x = 0.05f; x < 1; x += 0.05f) {
             for (float y = 0.05f; y < 1; y += 0.05f) {
-                const auto hit = first_hit(*view, camera.ray(x, y, aspect));
-                if (hit && view->positions[hit->particle].w > 0) return Vec2{x, y};
+                const auto hit = pointed_cloth(simulation.world(), camera.ray(x, y, aspect));
+                if (hit && !hit->is_pinned) return Vec2{x, y};
             }
         }
         return std::nullopt;

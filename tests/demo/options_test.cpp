@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"--particles", "1e99"}, Bad{"--threads", "0"}, Bad{"--threads", "257"},
                     Bad{"--wind", "1,2"}, Bad{"--wind", "1,2,3,4"}, Bad{"--wind", "1,nan,0"},
                     Bad{"--wind", "1e9,0,0"}, Bad{"--wind", "east"}, Bad{"--size", "640"},
-                    Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "-1"},
+                    Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "0"},
                     Bad{"--fabric", "felt"}, Bad{"--fabric", "missing.json"}, Bad{"--substeps", "0"},
                     Bad{"--frames", "0"}, Bad{"--every", "0"}, Bad{"--method", "magic"},
                     Bad{"--contact", "maybe"}, Bad{"--export", "fbx", "--headless"}, Bad{"--contact", "7"},

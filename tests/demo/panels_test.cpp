@@ -134,6 +134,19 @@ TEST(Panels, SayWhatAClothRefuses) {
     EXPECT_NE(refused.error().message.find("warp"), std::string::npos) << refused.error().message;
 }
 
+TEST(Panels, SlowTimesFitIntoTheirColumn) {
+    EXPECT_EQ(in_column(1.234f), "1.23");
+    EXPECT_EQ(in_column(99.99f), "99.99");
+    EXPECT_EQ(in_column(1234.5f), "1234");
+    for (const float ms : {0.0f, 9.999f, 99.999f, 999.99f, 5e4f}) EXPECT_LE(in_column(ms).size(), 6u) << ms;
+}
+
+TEST(Panels, MessagesNameNoTypes) {
+    EXPECT_EQ(plain_words("Fabric::warp is -1; it must be from 0 to 1e9 N/m"),
+              "warp is -1; it must be from 0 to 1e9 N/m");
+    EXPECT_EQ(plain_words("/tmp/a: no such file"), "/tmp/a: no such file");
+}
+
 TEST(FlagsText, NamesTheSettingToChange) {
     EXPECT_EQ(flags_text(StepFlags::none, 0), "");
     EXPECT_NE(flags_text(StepFlags::state_restored, 0).find("substeps"), std::string::npos);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -68,6 +69,18 @@ TEST(Scenes, AreFoundByTheirNamesAndNoOthers) {
     }
     EXPECT_EQ(find_scene("no such scene"), nullptr);
     EXPECT_EQ(find_scene(""), nullptr);
+}
+
+TEST(Scenes, AreListedGroupByGroupWithASentenceEach) {
+    SceneGroup group = all_scenes().front().group;
+    for (const SceneEntry& entry : all_scenes()) {
+        EXPECT_GE(entry.group, group) << entry.name;
+        group = entry.group;
+        const std::string sentence = entry.description;
+        EXPECT_EQ(sentence.find('.'), sentence.size() - 1) << sentence;
+        EXPECT_LE(sentence.size(), 75u) << "it has three lines of a card: " << sentence;
+    }
+    EXPECT_GE(std::ranges::count(all_scenes(), SceneGroup::lab, &SceneEntry::group), 10);
 }
 
 TEST(Scenes, AskForAGarmentThatIsMissing) {

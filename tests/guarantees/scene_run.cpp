@@ -65,7 +65,8 @@ void PrintTo(const SceneEntry& entry, std::ostream* out) {
 std::vector<SceneEntry> scenes_to_run() {
     std::vector<SceneEntry> scenes(all_scenes().begin(), all_scenes().end());
     scenes.push_back({"stack_zones", "The stack, by impact zones",
-                      []() -> std::unique_ptr<Scene> { return std::make_unique<StackByZones>(); }});
+                      []() -> std::unique_ptr<Scene> { return std::make_unique<StackByZones>(); },
+                      SceneGroup::lab});
     return scenes;
 }
 

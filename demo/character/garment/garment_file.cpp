@@ -123,19 +123,28 @@ Result<void> check_size(const std::filesystem::path& file, const Mesh& mesh) {
     }
     const auto& [size, axis] = longest;
     if (size >= smallest && size <= largest) return {};
-    return Error{ErrorCode::invalid_mesh,
-                 file.string() + ": is " + std::to_string(size) + " m along " + axis +
-                     ", its longest side; that of a garment that fits is 0.1 to 3 m. OBJ files are in "
-                     "metres here"};
+    return Error{
+        ErrorCode::invalid_mesh,
+        file.string() + ": is " + std::to_string(size) + " m along " + axis +
+            ", its longest side; that of a garment that fits is 0.1 to 3 m; choose its unit where it is not "
+            "in metres"};
 }
 
-Result<Mesh> read_mesh(const std::filesystem::path& file, Garment& garment) {
+/// A metre, or the smaller unit by which the mesh has a garment's size.
+float unit_by_size(const Mesh& mesh) {
+    const float guess = guessed_unit(mesh);
+    return guess == 0.01f || guess == 0.001f || guess == 0.0254f ? guess : 1;
+}
+
+Result<Mesh> read_mesh(const std::filesystem::path& file, float unit, Garment& garment) {
     ObjReport report;
     auto mesh = load_obj(file, {}, &report);
     if (!mesh) return mesh;
     if (report.crossing_faces > 0)
         garment.notes.push_back(file.string() + ": faces whose outlines cross themselves: " +
                                 std::to_string(report.crossing_faces) + "; their triangles overlap");
+    if (unit == 0) unit = unit_by_size(*mesh);
+    for (Vec3& p : mesh->positions) p = to_vec3(unit * to_vector(p));
     mesh->pattern = mesh->texcoords;
     drop_unfit_pattern(*mesh);
     return mesh;
@@ -163,9 +172,9 @@ Result<void> hold_by_materials(const std::filesystem::path& file, const Material
 
 }  // namespace
 
-Result<Garment> read_garment(const std::filesystem::path& file) {
+Result<Garment> read_garment(const std::filesystem::path& file, float unit) {
     Garment garment;
-    auto mesh = read_mesh(file, garment);
+    auto mesh = read_mesh(file, unit, garment);
     if (!mesh) return mesh.error();
     garment.mesh = std::move(*mesh);
     if (auto fits = check_size(file, garment.mesh); !fits) return fits.error();

@@ -69,6 +69,23 @@ float mean_height(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) 
     return sum / static_cast<float>(vertices.size());
 }
 
+Vector3 extent_of(const Mesh& mesh) {
+    Vector3 lower = to_vector(mesh.positions.front()), upper = lower;
+    for (const Vec3& p : mesh.positions) {
+        lower = lower.cwiseMin(to_vector(p));
+        upper = upper.cwiseMax(to_vector(p));
+    }
+    return upper - lower;
+}
+
+/// Whether the only opening goes round the whole mesh.
+bool is_sheet(const Mesh& mesh, const std::vector<std::vector<std::uint32_t>>& openings) {
+    if (openings.size() != 1) return false;
+    Mesh border;
+    for (const std::uint32_t vertex : openings.front()) border.positions.push_back(mesh.positions[vertex]);
+    return (extent_of(border) - 0.9f * extent_of(mesh)).minCoeff() >= 0;
+}
+
 Vec3 middle(const Vec3& a, const Vec3& b) {
     return to_vec3(0.5f * (to_vector(a) + to_vector(b)));
 }
@@ -128,13 +145,25 @@ void drop_unfit_pattern(Mesh& mesh) {
     if (!(on_pattern > 0.7f * in_space && on_pattern < 1.4f * in_space)) mesh.pattern.clear();
 }
 
+float guessed_unit(const Mesh& mesh) {
+    constexpr float smallest = 0.2f, largest = 3;  // [m]
+    const float size = extent_of(mesh).maxCoeff();
+    if (!(size > 0)) return 1;
+    for (const float unit : {1.0f, 0.01f, 0.001f, 0.0254f})
+        if (unit * size >= smallest && unit * size <= largest) return unit;
+    return 1 / size;
+}
+
 std::vector<std::uint32_t> topmost(const Mesh& mesh) {
-    const auto height = [](const Vec3& p) { return p.y; };
-    const auto [low, high] = std::ranges::minmax(mesh.positions, {}, height);
+    constexpr float flat = 0.05f;  // height over the longest side
+    const Vector3 extent = extent_of(mesh);
+    const float longest = extent.maxCoeff();
+    const int axis = extent.y() > flat * longest ? 1 : extent.x() == longest ? 0 : 2;
+    float most = to_vector(mesh.positions.front())[axis];
+    for (const Vec3& p : mesh.positions) most = std::max(most, to_vector(p)[axis]);
     std::vector<std::uint32_t> top;
-    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-        if (mesh.positions[vertex].y >= high.y - 0.02f * (high.y - low.y)) top.push_back(vertex);
-    }
+    for (std::uint32_t vertex = 0; vertex < mesh.positions.size(); ++vertex)
+        if (to_vector(mesh.positions[vertex])[axis] >= most - 0.02f * extent[axis]) top.push_back(vertex);
     return top;
 }
 
@@ -151,7 +180,7 @@ std::size_t count_openings(const Mesh& mesh) {
 
 std::vector<std::uint32_t> highest_opening(const Mesh& mesh) {
     const auto openings = connected_parts(border_edges(mesh));
-    if (openings.empty()) return topmost(mesh);
+    if (openings.empty() || is_sheet(mesh, openings)) return topmost(mesh);
     return *std::ranges::max_element(openings, {},
                                      [&](const auto& opening) { return mean_height(mesh, opening); });
 }

@@ -20,11 +20,15 @@ void stand_upright(Mesh& mesh, float lowest);
 /// own.
 void drop_unfit_pattern(Mesh& mesh);
 
-/// The vertices around the highest opening (by mean height), one for each position: a neck, or a waist. A
-/// mesh without openings gives topmost().
+/// Metres in a unit of the file that the mesh is from: 1, a centimetre, a millimetre or an inch, the first by
+/// which it has a garment's size, from 0.2 m to 3 m. If none does: that by which its longest side is 1 m.
+[[nodiscard]] float guessed_unit(const Mesh& mesh);
+
+/// The vertices around the highest opening (by mean height), one for each position: a neck, or a waist. An
+/// open sheet, and a mesh without openings, give topmost().
 [[nodiscard]] std::vector<std::uint32_t> highest_opening(const Mesh& mesh);
 
-/// Vertices within the topmost fiftieth of the mesh's height.
+/// Vertices within the topmost fiftieth of the mesh's height; of a mesh that lies flat, of its length.
 [[nodiscard]] std::vector<std::uint32_t> topmost(const Mesh& mesh);
 
 /// Vertices of border edges (edges of one triangle), one for each position; topmost() where there are none.

@@ -1,9 +1,11 @@
 #include "demo/character/garment/gltf_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "demo/character/garment/gltf_data.h"
 #include "demo/character/garment/painted_maps.h"
@@ -116,25 +118,69 @@ class GltfReader {
         return angles;
     }
 
+    /// A primitive of the skin. Worn: it is of the garment, not of the body.
+    struct SkinPart {
+        const GltfPrimitive& primitive;
+        GltfMaterial material;
+        bool free, worn;
+        std::vector<double> places;  // of its vertices, three numbers each
+    };
+
+    [[nodiscard]] std::vector<SkinPart> skin_parts() const {
+        std::vector<SkinPart> parts;
+        for (const GltfNode& node : model_.nodes) {
+            if (node.skin != std::size_t{0} || !node.mesh) continue;
+            for (const GltfPrimitive& primitive : model_.meshes[*node.mesh]) {
+                SkinPart part{primitive,
+                              primitive.material ? model_.materials[*primitive.material] : GltfMaterial(),
+                              false,
+                              false,
+                              {}};
+                part.free = part.material.name.ends_with("Free");
+                part.worn = part.free || part.material.name.starts_with("Garment");
+                if (const auto found = primitive.attribute("POSITION"))
+                    if (auto places = gltf_numbers(model_, *found, 3)) part.places = std::move(*places);
+                parts.push_back(std::move(part));
+            }
+        }
+        mark_joined(parts);
+        return parts;
+    }
+
+    /// What shares a vertex's place with something worn is worn.
+    static void mark_joined(std::vector<SkinPart>& parts) {
+        std::set<std::array<double, 3>> seams;
+        std::vector<bool> added(parts.size());
+        for (bool any = true; std::exchange(any, false);)
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                SkinPart& part = parts[k];
+                const auto place = [&](std::size_t v) {
+                    return std::array{part.places[v], part.places[v + 1], part.places[v + 2]};
+                };
+                for (std::size_t v = 0; !part.worn && v < part.places.size(); v += 3)
+                    part.worn = seams.contains(place(v));
+                if (!part.worn || added[k]) continue;
+                for (std::size_t v = 0; v < part.places.size(); v += 3) seams.insert(place(v));
+                any = added[k] = true;
+            }
+    }
+
     Result<void> read_meshes() {
         Garment& garment = character_.garment;
         garment.stands_ready = true;
         bool any_free = false;
-        for (const GltfNode& node : model_.nodes) {
-            if (node.skin != std::size_t{0} || !node.mesh) continue;
-            for (const GltfPrimitive& primitive : model_.meshes[*node.mesh]) {
-                const GltfMaterial material =
-                    primitive.material ? model_.materials[*primitive.material] : GltfMaterial();
-                const bool free = material.name.ends_with("Free");
-                const bool is_worn = free || material.name.starts_with("Garment");
-                if (!is_worn && !with_body_) continue;
-                if (free && !any_free) garment.colour = material.colour.value_or(garment.colour);
-                any_free = any_free || free;
-                if (auto read =
-                        read_primitive(primitive, material.name, free, is_worn ? garment_ : character_.body);
-                    !read)
-                    return read;
+        for (const auto& [primitive, material, free, worn, places] : skin_parts()) {
+            if (!worn && !with_body_) {
+                garment.notes.push_back(
+                    "material " + material.name +
+                    " touches no cloth that ends in \"Free\": it is left out, as of the body");
+                continue;
             }
+            if (free && !any_free) garment.colour = material.colour.value_or(garment.colour);
+            any_free = any_free || free;
+            if (auto read = read_primitive(primitive, material.name, free, worn ? garment_ : character_.body);
+                !read)
+                return read;
         }
         if (!any_free)
             return Error{ErrorCode::invalid_mesh,

@@ -23,18 +23,19 @@ struct SkinnedCharacter {
     /// pose. The rest pose of joints is that of the file's nodes.
     Recording recording;
     JointAngles rest;
-    /// The skin's triangles whose material's name ends in "Free" or begins with "Garment", in the rest pose.
+    /// The worn triangles of the skin, in the rest pose.
     Garment garment;
     std::vector<std::uint32_t> joints;  ///< four a vertex of the garment
     std::vector<float> weights;         ///< four a vertex of the garment
     SkinnedMesh body;                   ///< all other triangles of the skin; empty unless asked for
 };
 
-/// Reads .gltf and .glb: the first skin, and the primitives of its meshes whose material's name ends in
-/// "Free" or begins with "Garment". Vertices of the former are simulated, those of the latter fixed by their
-/// weights. Scales of nodes apply, shear is ignored. Maps may stand beside the file (painted_maps.h). Errors
-/// name the file and what it lacks: a skin, joints, a primitive of a Free material, positions, joints or
-/// weights, four of both a vertex; triangles of a body, where it is asked for.
+/// Reads .gltf and .glb: the first skin, and of its meshes the primitives that are worn. Those of a material
+/// whose name ends in "Free" are simulated. Those of a material whose name begins with "Garment", and all
+/// that share the place of a vertex with something worn, are fixed by their weights. All others are of the
+/// body; notes of the garment name them. Scales of nodes apply, shear is ignored. Maps may stand beside the
+/// file (painted_maps.h). Errors name the file and what it lacks: a skin, joints, a primitive of a Free
+/// material, positions, joints or weights, four of both a vertex; triangles of a body, where it is asked for.
 [[nodiscard]] Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_body = false);
 
 }  // namespace weft::demo

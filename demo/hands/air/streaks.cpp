@@ -9,6 +9,7 @@ namespace weft::demo {
 namespace {
 
 constexpr float shortest_life = 0.8f, longest_life = 2.0f;  // [s]
+constexpr std::size_t turns = 6;  // steps in which every mote casts its ray once, for time
 
 }  // namespace
 
@@ -22,6 +23,7 @@ void Streaks::renew(Mote& mote) {
     mote.trail[0] = {within(middle_.x), std::max(0.02f, within(middle_.y)), within(middle_.z)};
     mote.kept = 1;
     mote.age = 0;
+    mote.before_cloth = false;
     mote.lasts = shortest_life + (longest_life - shortest_life) * random();
 }
 
@@ -35,12 +37,13 @@ void Streaks::begin(const Vec3& middle, float half_side) {
     }
 }
 
-void Streaks::step(const World& world, float dt) {
+void Streaks::step(const World& world, float dt, const Vec3& eye) {
     if (!visible) return;
     places_.clear();
     for (const Mote& mote : motes_) places_.push_back(mote.trail[0]);
     air_.resize(places_.size());
     if (!world.sample_air(places_, air_)) return;
+    turn_ = (turn_ + 1) % turns;
     for (std::size_t k = 0; k < motes_.size(); ++k) {
         Mote& mote = motes_[k];
         mote.age += dt;
@@ -53,6 +56,9 @@ void Streaks::step(const World& world, float dt) {
         mote.trail[0] = to_vec3(there);
         mote.kept = std::min(mote.kept + 1, length);
         mote.speed = air.norm();
+        if (k % turns != turn_) continue;
+        const auto hit = world.cast_ray(mote.trail[0], to_vec3(there - to_vector(eye)));
+        mote.before_cloth = hit && hit->has_value();
     }
 }
 
@@ -60,6 +66,7 @@ std::vector<render::DrawnLine> Streaks::lines() const {
     std::vector<render::DrawnLine> lines;
     if (!visible) return lines;
     for (const Mote& mote : motes_) {
+        if (mote.before_cloth) continue;
         const float youth = std::min(1.0f, std::min(mote.age, mote.lasts - mote.age) / 0.25f);
         const float strength = 0.65f * youth * std::min(1.0f, mote.speed / 6);
         for (std::size_t k = 0; k + 1 < mote.kept; ++k) {

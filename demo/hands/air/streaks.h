@@ -15,18 +15,20 @@ class Streaks {
   public:
     static constexpr std::size_t count = 120, length = 10;  ///< motes, and kept positions of each
 
-    bool visible = true;
+    bool visible = false;
 
     /// Places new motes in the box round `middle` of that half side [m].
     void begin(const Vec3& middle, float half_side);
-    /// Moves the motes with the air over dt [s]. Motes that leave the box or are too old are replaced.
-    void step(const World& world, float dt);
+    /// Moves the motes with the air over dt [s]. Motes that leave the box or are too old are replaced. Those
+    /// before cloth, as seen from `eye`, are not drawn.
+    void step(const World& world, float dt, const Vec3& eye);
 
     struct Mote {
         std::array<Vec3, length> trail;  ///< the last places, the newest first
         std::size_t kept = 0;            ///< valid places of the trail
         float age = 0, lasts = 1;        ///< [s]
         float speed = 0;                 ///< of the air at the mote [m/s]
+        bool before_cloth = false;
     };
     [[nodiscard]] std::span<const Mote> motes() const { return motes_; }
     /// The streaks, fainter where they are older; none while not visible.
@@ -41,6 +43,7 @@ class Streaks {
     std::vector<Mote> motes_;
     std::vector<Vec3> places_, air_;
     std::uint32_t seed_ = 1;
+    std::size_t turn_ = 0;
 };
 
 }  // namespace weft::demo

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "demo/scenes/holders.h"
 #include "weft/weft.h"
 
 namespace weft::demo {
@@ -31,6 +32,13 @@ class SceneHandles {
     ~SceneHandles() = default;
 };
 
+/// What is drawn where a scene holds a cloth.
+struct DrawnHolder {
+    std::size_t cloth;
+    Holder holder;
+    std::vector<std::uint32_t> vertices;
+};
+
 struct ContactScene {
     std::string name;
     double seconds = 0;
@@ -39,6 +47,7 @@ struct ContactScene {
     WorldSettings world{};
     /// Moves pins and colliders to their places at `time` [s], the end of the step that follows.
     std::function<void(const SceneHandles&, double time)> move{};
+    std::vector<DrawnHolder> holders{};
     bool tangled = false;  ///< triangles cross at the start
     bool rests = false;    ///< at its end nothing is moved, and cloth should be still
     /// Sum of mass times speed [kg m/s] in a scene without external forces; 0: there are some.

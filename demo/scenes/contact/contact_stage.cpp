@@ -12,17 +12,28 @@
 namespace weft::demo {
 namespace {
 
-// A colour for each cloth.
+// A colour for each sheet.
 constexpr std::array<Vec3, 5> colours{{{0.55f, 0.06f, 0.07f},
                                        {0.06f, 0.20f, 0.45f},
                                        {0.60f, 0.45f, 0.05f},
                                        {0.10f, 0.35f, 0.15f},
                                        {0.35f, 0.12f, 0.40f}}};
 
-render::FabricLook look_of(std::size_t cloth) {
-    const Vec3 front = colours[cloth % colours.size()];
-    const auto paler = [](float part) { return 0.5f * part + 0.25f; };
-    return {.front = front, .back = {paler(front.x), paler(front.y), paler(front.z)}};
+const Vec3& colour_of(std::size_t sheet) {
+    return colours[sheet % colours.size()];
+}
+
+/// Sheets that are joined in one cloth have a colour each, over a front that is darker than the back.
+SceneCloth coloured(ClothId id, const PlacedCloth& cloth, std::size_t number) {
+    SceneCloth content{id, cloth.mesh, two_sided(colour_of(number))};
+    if (cloth.layers.size() < 2) return content;
+    content.look = two_sided({0.03f, 0.03f, 0.03f});
+    for (std::uint32_t vertex = 0; vertex < cloth.mesh.positions.size(); ++vertex) {
+        const auto above = std::ranges::upper_bound(cloth.layers, vertex);
+        const Vec3& c = colour_of(static_cast<std::size_t>(above - cloth.layers.begin()) - 1);
+        content.tints.push_back({c.x, c.y, c.z, 0.75f});
+    }
+    return content;
 }
 
 /// The camera, relative to a view of all cloth at the start, and the steps until the check.
@@ -64,7 +75,7 @@ class ContactStage final : public Scene {
             const auto id = world.add_cloth(cloth.mesh, cloth.settings);
             if (!id) return id.error();
             if (auto pinned = world.pin(*id, cloth.pins); !pinned) return pinned.error();
-            content.cloths.push_back({*id, cloth.mesh, look_of(content.cloths.size())});
+            content.cloths.push_back(coloured(*id, cloth, content.cloths.size()));
             cloths_.push_back(*id);
         }
         for (const Collider& collider : scene_.colliders) {
@@ -79,6 +90,17 @@ class ContactStage final : public Scene {
 
     void before_step(World& world, double time, float dt) override {
         if (scene_.move) scene_.move(Handles(*this, world), time + static_cast<double>(dt));
+    }
+
+    /// Draws what holds the cloth, and planes that face down as grates.
+    void annotate(const World& world, Annotation& to) const override {
+        for (const auto& [cloth, holder, vertices] : scene_.holders)
+            draw_holder(world.cloth(cloths_[cloth]).value(), vertices, holder, to);
+        for (const ColliderId id : colliders_) {
+            const auto collider = world.collider(id);
+            const auto* plane = std::get_if<Plane>(&collider->shape);
+            if (plane != nullptr && plane->normal.y < 0) draw_grate(-plane->offset, to);
+        }
     }
 
     [[nodiscard]] int check_steps() const override { return view_.check_steps; }

@@ -43,6 +43,7 @@ ContactScene gathered(std::uint32_t particles) {
     PlacedCloth& cloth = scene.cloths[0];
     for (std::uint32_t column = 0; column < sheet.columns; column += 8)
         cloth.pins.push_back(vertex_at(sheet, sheet.rows - 1, column));
+    scene.holders = {{0, Holder::rod, cloth.pins}, {0, Holder::hands, cloth.pins}};
     std::vector<Vec3> starts;
     for (const std::uint32_t vertex : cloth.pins) starts.push_back(cloth.mesh.positions[vertex]);
     scene.move = [pins = cloth.pins, starts](const SceneHandles& handles, double time) {

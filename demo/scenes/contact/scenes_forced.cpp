@@ -57,8 +57,10 @@ ContactScene twist(std::uint32_t particles) {
                        .world = still_air()};
     scene.world.gravity = {};
     const std::vector<std::uint32_t> left = column_of(strip, 0), right = column_of(strip, strip.columns - 1);
-    for (const auto* end : {&left, &right})
+    for (const auto* end : {&left, &right}) {
         scene.cloths[0].pins.insert(scene.cloths[0].pins.end(), end->begin(), end->end());
+        scene.holders.push_back({0, Holder::rod, *end});
+    }
     scene.move = [=](const SceneHandles& handles, double time) {
         const double part = std::min(time / takes, 1.0), angle = 2 * pi * part;
         const double x = (length - nearer * part) / 2;
@@ -95,6 +97,7 @@ ContactScene yank(const std::string& name, double speed, std::uint32_t particles
     for (const std::uint32_t c : {0u, column(leg)})
         for (const std::uint32_t row : {0u, sheet.rows - 1}) cloth.pins.push_back(vertex_at(sheet, row, c));
     cloth.pins.push_back(pulled);
+    scene.holders = {{0, Holder::hands, cloth.pins}};
     scene.move = [=, start = cloth.mesh.positions[pulled]](const SceneHandles& handles, double time) {
         const double down = std::clamp(speed * (time - waits), 0.0, depth);
         handles.move_pin(0, pulled, {start.x, start.y - static_cast<float>(down), start.z});

@@ -73,6 +73,7 @@ ContactScene dropped_on(Made made, std::uint32_t particles) {
     const std::uint32_t row = below.rows - 1, column = below.columns - 1;
     for (const auto& [r, c] : {std::pair(0u, 0u), {0u, column}, {row, 0u}, {row, column}})
         scene.cloths[0].pins.push_back(vertex_at(below, r, c));
+    scene.holders = {{0, Holder::posts, scene.cloths[0].pins}};
     return scene;
 }
 

@@ -40,8 +40,10 @@ ContactScene twist_and_release(std::uint32_t particles) {
                        .cloths = {{.mesh = placed_sheet(strip, place)}},
                        .world = still_air()};
     const std::vector<std::uint32_t> top = column_of(strip, 0), low = column_of(strip, strip.columns - 1);
-    for (const auto* end : {&top, &low})
+    for (const auto* end : {&top, &low}) {
         scene.cloths[0].pins.insert(scene.cloths[0].pins.end(), end->begin(), end->end());
+        scene.holders.push_back({0, Holder::rod, *end});
+    }
     scene.move = [=](const SceneHandles& handles, double time) {
         const long frame = std::lround(time / ContactScene::step());
         const long last = std::lround(lets_go / ContactScene::step());

@@ -57,6 +57,7 @@ ContactScene tangled_hung(std::uint32_t particles) {
             .seconds = 6,
             .cloths = {{.mesh = tangled_mesh(sheet, turned), .pins = column_of(sheet, 0)}},
             .world = still_air(),
+            .holders = {{0, Holder::rod, column_of(sheet, 0)}},
             .tangled = true,
             .rests = true};
 }

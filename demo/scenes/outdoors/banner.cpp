@@ -49,10 +49,7 @@ class Banner final : public Scene {
             if (!pole) return pole.error();
             content.drawn_colliders.push_back(*pole);
         }
-        content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.07f, 0.2f, 0.42f}, .back = {0.1f, 0.22f, 0.4f}, .stripe_width = 0.3f}});
+        content.cloths.push_back({cloth_, mesh_, two_sided({0.07f, 0.2f, 0.42f}, 0.3f)});
         content.camera = {.target = {0, 1.55f, 0}, .distance = 4.0f, .yaw = 0.5f, .pitch = 0.1f};
         return content;
     }

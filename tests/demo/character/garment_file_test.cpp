@@ -91,6 +91,14 @@ TEST(GarmentFile, WithoutMaterialsIsTurnedUprightAndHeldByItsOpening) {
     }
 }
 
+TEST(GarmentFile, AMillimetreFileFitsByItsSize) {
+    const TemporaryFile file("millimetres.obj", "v 0 0 0\nv 900 0 0\nv 0 400 0\nusemtl aFree\nf 1 2 3\n");
+    const auto garment = read_garment(file.path(), 0);
+    ASSERT_TRUE(garment.ok()) << garment.error().message;
+    EXPECT_NEAR(garment->mesh.positions[1].x, 0.9f, 1e-6f);
+    EXPECT_FALSE(read_garment(file.path()).ok()) << "nobody wears 900 m";
+}
+
 TEST(GarmentFile, ErrorsNameWhatIsWrong) {
     EXPECT_NE(refusal_of(strip("", "usemtl Top\n", "usemtl Bottom\n"))
                   .find("Top and others, none ends in \"Free\""),

@@ -48,6 +48,22 @@ TEST(Gltf, HasSkeletonMotionAndGarment) {
               1e-3f);
 }
 
+TEST(Gltf, FixesWhatIsJoinedToFreeClothWhateverItsName) {
+    const GltfExample model(true);
+    const TemporaryFile buffer("joined.bin", model.data.bytes);
+    std::string json = model.json(buffer.path().filename().string());
+    json.replace(json.find("GarmentTop"), 10, "Bodice");
+    const TemporaryFile file("joined.gltf", json);
+    const auto read = read_gltf(file.path());
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    const std::size_t vertices = model.dress.mesh.positions.size();
+    EXPECT_EQ(read->garment.mesh.positions.size(), 2 * vertices);
+    EXPECT_EQ(read->garment.fixed.size(), vertices);
+    ASSERT_EQ(read->garment.notes.size(), 1u);
+    EXPECT_NE(read->garment.notes[0].find("Skin"), std::string::npos)
+        << "the body is left out, and said to be";
+}
+
 TEST(Gltf, DressesSomebody) {
     const GltfExample model;
     const TemporaryFile buffer("dressed.bin", model.data.bytes);

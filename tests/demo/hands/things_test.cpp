@@ -176,11 +176,13 @@ TEST(Streaks, DriftWithTheAirWithinTheirBox) {
     settings.wind.velocity = {3, 0, -1};
     World world = World::create(settings).value();
     Streaks streaks;
+    EXPECT_FALSE(streaks.visible) << "nobody has asked for them";
+    streaks.visible = true;
     streaks.begin({0, 1, 0}, 1.5f);
     ASSERT_EQ(streaks.motes().size(), Streaks::count);
     int drifted = 0;
     for (int k = 0; k < 60; ++k) {
-        streaks.step(world, tick);
+        streaks.step(world, tick, {0, 1, 4});
         for (const Streaks::Mote& mote : streaks.motes()) {
             EXPECT_LE(std::abs(mote.trail[0].x), 1.5f);
             if (mote.kept < 2) continue;
@@ -213,6 +215,29 @@ TEST(Project, IsWhereTheRayThroughItLeads) {
         EXPECT_NEAR(back->y, place.y, 1e-4f);
     }
     EXPECT_FALSE(project(camera, to_vec3(2 * to_vector(camera.eye()) - to_vector(camera.target)), 1.6f));
+}
+
+TEST(Streaks, DoNotLieOverTheCloth) {
+    SmallWorld small;  // a sheet at z = 0
+    WorldSettings settings = small.world.settings();
+    settings.gravity = {};
+    settings.wind.velocity = {0.2f, 0, 0};
+    ASSERT_TRUE(small.world.set_settings(settings).ok());
+    Streaks streaks;
+    streaks.visible = true;
+    streaks.begin({0.5f, 0.5f, 0}, 0.5f);
+    const Vec3 eye{0.5f, 0.5f, 6};
+    for (int k = 0; k < 20; ++k) streaks.step(small.world, tick, eye);
+    int before = 0, behind = 0, over_cloth = 0;
+    for (const Streaks::Mote& mote : streaks.motes()) {
+        const Vec3& at = mote.trail[0];
+        if (std::abs(at.x - 0.5f) > 0.4f || std::abs(at.y - 0.5f) > 0.4f || std::abs(at.z) < 0.05f) continue;
+        ++(at.z > 0 ? before : behind);
+        if (at.z > 0 && !mote.before_cloth) ++over_cloth;
+        EXPECT_FALSE(at.z < 0 && mote.before_cloth) << "cloth hides it by itself";
+    }
+    EXPECT_GT(std::min(before, behind), 10);
+    EXPECT_LT(over_cloth, before / 4) << "but for those that are new";
 }
 
 }  // namespace

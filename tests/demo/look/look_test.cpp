@@ -136,14 +136,14 @@ TEST(Inside, ColoursWhatIsStretchedOrFast) {
     SmallWorld small;
     const ClothId id = small.cloths.front().id;
     std::vector<Vec4> colours;
-    colour_particles(ShownAsColour::nothing, small.cloths.front().mesh, *small.world.cloth(id), colours);
+    colour_particles(ShownAsColour::nothing, small.cloths.front(), *small.world.cloth(id), colours);
     EXPECT_TRUE(colours.empty());
     for (const ShownAsColour what : {ShownAsColour::strain, ShownAsColour::bending, ShownAsColour::speed}) {
-        colour_particles(what, small.cloths.front().mesh, *small.world.cloth(id), colours);
+        colour_particles(what, small.cloths.front(), *small.world.cloth(id), colours);
         for (const Vec4& each : colours) EXPECT_GT(each.z, each.x) << "blue at rest";
     }
     for (int i = 0; i < 90; ++i) small.world.step(1.0f / 60);  // it falls
-    colour_particles(ShownAsColour::speed, small.cloths.front().mesh, *small.world.cloth(id), colours);
+    colour_particles(ShownAsColour::speed, small.cloths.front(), *small.world.cloth(id), colours);
     for (const Vec4& each : colours) EXPECT_GT(each.x, each.z) << "red at speed";
     EXPECT_GT(scale_of(ShownAsColour::speed)[0], 0);
 }

@@ -46,13 +46,14 @@ class PanelFrames : public testing::Test {
     void frame(Simulation& of, ImVec2 size, const Between& between) {
         ImGui::GetIO().DisplaySize = size;
         ImGui::NewFrame();
-        (void)panels.draw(of, wind, hands, playback, of.content().camera);
+        requests = panels.draw(of, wind, hands, playback, of.content().camera);
         if (panels.visible) (void)time_bar(timeline, playback, repeat, size.x - panels.covered());
         between();
         ImGui::Render();
     }
 
     Panels panels;
+    PanelRequests requests;
     WindControl wind;
     Playback playback;
     Hands hands;

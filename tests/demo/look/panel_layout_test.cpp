@@ -17,11 +17,12 @@ TEST_P(PanelLayout, NothingOverlapsAndNothingLeavesTheWindow) {
     panels.message =
         "A message that is long enough to be broken into two lines or three, as errors of files are.";
     playback.behind_real_time = true;
-    for (const bool help : {false, true}) {
-        panels.help = help;
+    for (bool* const shown : {static_cast<bool*>(nullptr), &panels.help, &panels.gallery}) {
+        panels.help = panels.gallery = false;
+        if (shown != nullptr) *shown = true;
         std::vector<Seen> seen;
         for (int i = 0; i < 4; ++i) frame(flag, size, [&] { seen = windows_of_this_frame(); });
-        EXPECT_EQ(seen.size(), 3u) << "the column, the bar of time, and messages or help";
+        EXPECT_EQ(seen.size(), 3u) << "the column, the bar of time, and messages, help or gallery";
         expect_apart(seen, size);
     }
     EXPECT_LT(panels.covered(), 0.46f * size.x);

@@ -77,5 +77,24 @@ TEST_F(WindowFiles, AreTakenWhenTheyAreDropped) {
           })});
 }
 
+TEST_F(WindowFiles, AMillimetreSheetHangsByItsEnd) {
+    const std::string sheet = (folder() / "sheet.obj").string();
+    Mesh mesh = *make_sheet({.rows = 9, .columns = 9, .u = {1000, 0, 0}, .v = {0, 0, -1000}});
+    ASSERT_TRUE(save_obj(sheet, mesh).ok());
+    std::optional<FileDrop> drop;
+    play(
+        "flag",
+        {wait(2), at_once([&](const AppFrame&) { drop.emplace(sheet, "Weft"); }),
+         [&](const AppFrame&) { return drop->goes_on(); }, wait(3), at_once([](const AppFrame& frame) {
+             EXPECT_STREQ(frame.simulation.entry().name, "garment");
+             EXPECT_TRUE(frame.panels.own_file) << "its choices are shown";
+             EXPECT_NE(frame.panels.message.find("units of 1 mm"), std::string::npos) << frame.panels.message;
+             const ClothView cloth = first_cloth(frame);
+             EXPECT_NEAR(cloth.bounds.upper.y - cloth.bounds.lower.y, 1, 0.05f);
+             const auto held = std::ranges::count_if(cloth.positions, [](const Vec4& p) { return p.w == 0; });
+             EXPECT_EQ(held, 17) << "of 289: one row";
+         })});
+}
+
 }  // namespace
 }  // namespace weft::demo
