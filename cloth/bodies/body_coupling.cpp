@@ -1,8 +1,7 @@
 #include "cloth/bodies/body_coupling.h"
 
-#include <Eigen/Cholesky>
-
 #include "cloth/equation/contacts.h"
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -80,7 +79,7 @@ void BodyCoupling::eliminate() {
         Eliminated& body = eliminated_[k];
         const MovingBody& moving = bodies_[k];
         const Matrix6 sum = Matrix6::Identity() + moving.root.transpose() * body.stiffness * moving.root;
-        body.response = sum.ldlt().solve(Matrix6::Identity());
+        body.response = inverse_by_ldlt(sum);
         body.missing = -body.departure - moving.root.transpose() * body.pressed;
         body.extra = moving.root * (body.response * body.missing);
     }

@@ -1,11 +1,11 @@
 #include "cloth/simulation/free_cloth.h"
 
 #include <algorithm>
-#include <Eigen/Cholesky>
 #include <limits>
 
 #include "cloth/equation/pair_rows.h"
 #include "cloth/equation/seam_rows.h"
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -188,7 +188,7 @@ Vector6 as_one(const Motion& all, const Vector6& gained) {
     const Eigen::Vector3d linear = gained.head<3>(), angular = gained.tail<3>() - centre.cross(linear);
     Vector6 change;
     change << linear / all.mass,
-        (about_centre + 1e-9 * about_centre.trace() * Eigen::Matrix3d::Identity()).ldlt().solve(angular);
+        solve_by_ldlt(about_centre + 1e-9 * about_centre.trace() * Eigen::Matrix3d::Identity(), angular);
     return change;
 }
 

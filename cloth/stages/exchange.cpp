@@ -1,7 +1,6 @@
 // Impulses between cloths and bodies in a part of a substep.
 
 #include <algorithm>
-#include <Eigen/Cholesky>
 
 #include "cloth/simulation/free_cloth.h"
 #include "cloth/stages/collide_step.h"
@@ -9,6 +8,7 @@
 #include "cloth/stages/step_bodies.h"
 #include "cloth/stages/worn_step.h"
 #include "collision/thin/collide.h"
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -43,7 +43,7 @@ void join_attached(Simulation& world, std::span<Cloth* const> cloths, std::uint3
     };
     for (Cloth* cloth : cloths) weigh(*cloth);
     const Matrix6 joint = Matrix6::Identity() + body.root.transpose() * inertia * body.root;
-    const Vector6 along_root = joint.ldlt().solve(Vector6(body.root.transpose() * lacking));
+    const Vector6 along_root = solve_by_ldlt(joint, body.root.transpose() * lacking);
     const Vector6 change = body.root * along_root;
     for (Cloth* cloth : cloths) {
         inertia.setZero();

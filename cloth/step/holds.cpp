@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/SVD>
-
 #include "cloth/mesh/coordinates.h"
 #include "cloth/settings/validate.h"
 #include "cloth/simulation/simulation.h"
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -65,10 +64,9 @@ RigidMotion fit(const ClothState& state, std::span<const Hold> holds) {
     for (const Hold& hold : holds) products += share * (hold.at - after) * (from(hold) - before).transpose();
     const double open = 1e-6 * products.norm() + std::numeric_limits<double>::min();
     products += open * Vector3d(1, 2, 1).asDiagonal().toDenseMatrix();
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double mirror = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-    const Eigen::Matrix3d turn =
-        svd.matrixU() * Vector3d(1, 1, mirror).asDiagonal() * svd.matrixV().transpose();
+    const SingularValues svd = singular_values(products);
+    const double mirror = (svd.u * svd.v.transpose()).determinant() < 0 ? -1 : 1;
+    const Eigen::Matrix3d turn = svd.u * Vector3d(1, 1, mirror).asDiagonal() * svd.v.transpose();
     return {turn, after - turn * before};
 }
 

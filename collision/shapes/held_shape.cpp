@@ -5,11 +5,10 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-
 #include "collision/shapes/hull.h"
 #include "collision/shapes/ranges.h"
 #include "engine/error_text.h"
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -161,9 +160,9 @@ void HeldShape::find_rod() {
     const auto* const tree = std::get_if<TriangleTree>(&data_);
     if (tree == nullptr || !tree->is_closed()) return;
     const Spread spread = spread_of(*tree);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread.about_middle);
+    const SymmetricAxes axes = symmetric_axes(spread.about_middle);
     const Vector3 middle = spread.middle.cast<float>();
-    const Matrix3 across = axes.eigenvectors().cast<float>();  // the rod's axis is the last
+    const Matrix3 across = axes.vectors.cast<float>();  // the rod's axis is the last
     Eigen::AlignedBox3f box;
     for (const Vec3& vertex : tree->vertices())
         box.extend(Vector3(across.transpose() * (to_vector(vertex) - middle)));

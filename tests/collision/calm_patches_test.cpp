@@ -263,7 +263,7 @@ std::set<Corners> keys_of(const PairList& list) {
 /// not listed. Returns how many pairs come within reach.
 std::size_t expect_listed(const ContactScene& scene, const std::vector<Vec4>& motions, const PairList& list) {
     const std::set<Corners> listed = keys_of(list);
-    constexpr int parts = 12;
+    constexpr int parts = 6;
     std::vector<std::vector<Vec4>> places;
     for (int k = 0; k <= parts; ++k) {
         places.push_back(scene.positions);

@@ -12,20 +12,6 @@ std::vector<StageTime> frame(float solve, float step) {
             {.name = "step", .depth = 0, .last = step}};
 }
 
-TEST(StageTable, ShowsTheStepFirstAndPartsBelowTheirStage) {
-    StageTable table;
-    table.add(frame(1, 2));
-    table.end_run();
-    std::istringstream text(table.text(1000));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    ASSERT_EQ(lines.size(), 4u);
-    EXPECT_EQ(lines[1].substr(0, 6), "step  ");
-    EXPECT_EQ(lines[2].substr(0, 9), "  cloths ");
-    EXPECT_EQ(lines[3].substr(0, 10), "    solve ");
-    EXPECT_NE(lines[1].find("2000.0"), std::string::npos) << "2 ms over 1000 particles: " << lines[1];
-}
-
 TEST(StageTable, KeepsTheLeastOfItsRuns) {
     StageTable table;
     for (const float noise : {3.0f, 0.0f, 5.0f}) {
@@ -34,12 +20,6 @@ TEST(StageTable, KeepsTheLeastOfItsRuns) {
     }
     EXPECT_NE(table.text(1).find("   50.000    95.000    99.000   100.000"), std::string::npos)
         << table.text(1);
-}
-
-TEST(StageTable, SaysWhereItCannotWrite) {
-    const auto written = StageTable().write_csv("/no/such/folder/table.csv", {});
-    ASSERT_FALSE(written.ok());
-    EXPECT_NE(written.error().message.find("/no/such/folder/table.csv"), std::string::npos);
 }
 
 TEST(Measurement, CopiesTheFirstClothWithItsPins) {

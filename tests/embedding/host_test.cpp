@@ -59,7 +59,7 @@ TEST(HostThreads, TakenOneAfterTheOtherGiveTheSameBytes) {
 TEST(HostThreads, OfANaivePoolGiveTheBytesOfOneThread) {
     constexpr int steps = 20;
     const std::uint64_t expected = hash_after(busy_world({.wind = gusty, .threads = 1}), steps);
-    for (int threads = 1; threads <= 8; ++threads) {
+    for (const int threads : {1, 2, 3, 8}) {
         NaivePool pool(threads);
         World world = busy_world({.wind = gusty, .executor = pool.executor(threads < 2 ? 2 : threads)});
         EXPECT_EQ(pool.calls(), 0) << "outside of steps";

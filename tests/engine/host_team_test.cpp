@@ -78,7 +78,7 @@ constexpr int loops_of_a_step = 70;
 
 TEST(HostTeam, GivesTheSameBytesOnAPoolOfAnyThreads) {
     const ManyLoops expected = serial_result(10 * loops_of_a_step);
-    for (int threads = 1; threads <= 8; ++threads) {
+    for (const int threads : {1, 2, 3, 8}) {
         for (const int width : {2, 3, 8}) {  // narrower than the pool, and wider
             NaivePool pool(threads);
             Parallel parallel(pool.executor(width));

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <variant>
 #include <vector>
 
 #include "tests/guarantees/allocation_count.h"
@@ -59,7 +59,12 @@ TEST_P(FirstStep, AllocatesNothingAfterAnyChange) {
     ASSERT_TRUE(world.remove_collider(ground));
     EXPECT_EQ(hung.allocations_of_a_step(), 0u) << "a collider less";
 
+    // To every case from the first, on a sheet and on a mesh; from each of the others to one of every method.
+    const bool is_first = GetParam().name == "multilevel" || GetParam().name == "multilevel_mesh";
+    std::size_t last = std::variant_npos;
     for (const MethodCase& other : method_cases()) {
+        if (!is_first && other.cloth.method.index() == last) continue;
+        last = other.cloth.method.index();
         ASSERT_TRUE(world.set_cloth_settings(hung.cloth, other.cloth));
         ASSERT_EQ(hung.allocations_of_a_step(), 0u) << "the method " << other.name;
     }

@@ -7,10 +7,12 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include "cloth/mesh/rest/fans.h"
 #include "cloth/mesh/rest/rest_elements.h"
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -167,7 +169,8 @@ class Plate {
 /// Changes variables: curvatures become D^1/2 K, and moments D^-1/2 M, by the mean D of the hinges at a fan.
 void Plate::weight_by_rigidity() {
     const auto root_of = [](const Rigidity& d) {
-        return Eigen::SelfAdjointEigenSolver<Rigidity>(d).operatorSqrt();
+        const SymmetricAxes axes = symmetric_axes(d);
+        return Rigidity(axes.vectors * axes.values.cwiseSqrt().asDiagonal() * axes.vectors.transpose());
     };
     for (std::size_t h = 0; h < edges_.size(); ++h) {
         const Rigidity root = root_of(bending_.rigidities[h]);
@@ -215,12 +218,11 @@ void Plate::share_out() {
         }
         for (std::size_t k = 0; k < 2; ++k)
             edge.shares[k] = bears[k] * (0.5 * whole + 0.5 * (whole - bears[1 - k] * whole));
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> both(bears[0] + bears[1]);
+        const SymmetricAxes both = symmetric_axes(bears[0] + bears[1]);
         edge.exchange = static_cast<std::uint32_t>(exchanges_.size());
         Eigen::Matrix3d& exchange = exchanges_.emplace_back(Eigen::Matrix3d::Zero());
         for (Eigen::Index z = 0; z < 3; ++z)
-            if (both.eigenvalues()[z] > 1.999)
-                exchange += both.eigenvectors().col(z) * both.eigenvectors().col(z).transpose();
+            if (both.values[z] > 1.999) exchange += both.vectors.col(z) * both.vectors.col(z).transpose();
     }
     for (Fan& fan : fans_) {
         double squares = 0;
@@ -311,9 +313,9 @@ std::uint32_t Plate::find_elements(std::size_t of, ElementsOfFan& c) const {
         const Turn& to_fan = edge.ends[end].to_fan;
         a += (bears * (to_fan * edge.f)) * (bears * (to_fan * edge.shares[end])).transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes((a + a.transpose()) / 2);
-    const Eigen::Vector3d scale = axes.eigenvalues().cwiseMax(least * fan.area).cwiseSqrt().cwiseInverse();
-    const Eigen::Matrix3d to_parts = axes.eigenvectors().transpose() * bears;
+    const SymmetricAxes axes = symmetric_axes((a + a.transpose()) / 2);
+    const Eigen::Vector3d scale = axes.values.cwiseMax(least * fan.area).cwiseSqrt().cwiseInverse();
+    const Eigen::Matrix3d to_parts = axes.vectors.transpose() * bears;
     Eigen::Vector3d squares = Eigen::Vector3d::Zero();
     for (const auto& [hinge, end] : fan.ends) {
         const SharedEdge& edge = edges_[hinge];

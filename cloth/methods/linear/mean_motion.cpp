@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <Eigen/Cholesky>
+#include "engine/small_matrices.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cloth/methods/linear/mean_motion.cpp"
@@ -231,7 +231,7 @@ void MeanMotion::solve(Parallel& parallel, const ContactRows* contacts, const Ve
             motions_[c] = {};
             continue;
         }
-        const Vector3 u = sums_[c].matrix.llt().solve(sums_[c].right_side).cast<float>();
+        const Vector3 u = solve_by_llt(sums_[c].matrix, sums_[c].right_side).cast<float>();
         motions_[c] = to_vec4(dv == nullptr ? u : Vector3(xyz(motions_[c]) + u), 0);
     }
 }

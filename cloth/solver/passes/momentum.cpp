@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "cloth/equation/contacts.h"
 #include "cloth/equation/pair_rows.h"
 #include "cloth/equation/seam_rows.h"
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -101,12 +101,11 @@ RigidChange::RigidChange(const PieceSums& sums, float gamma) {
                           end = about_centre(sums.end, sums.mass);
     Eigen::Vector3d lacks =
         angular_momentum(start - end) + sums.turning - sums.end.first.cross(sums.impulse) / sums.mass;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(
-        second.trace() * Eigen::Matrix3d::Identity() - second);
-    const Eigen::Vector3d& moments = inertia.eigenvalues();
+    const SymmetricAxes inertia = symmetric_axes(second.trace() * Eigen::Matrix3d::Identity() - second);
+    const Eigen::Vector3d& moments = inertia.values;
     const Eigen::Vector3d roots =
         (moments.array() > thin * moments[2]).select(moments.cwiseSqrt().cwiseInverse(), 0);
-    const Eigen::Matrix3d to_axes = inertia.eigenvectors() * roots.asDiagonal();
+    const Eigen::Matrix3d to_axes = inertia.vectors * roots.asDiagonal();
     const Eigen::Vector3d turning = to_axes.transpose() * angular_momentum(end);  // over the moments' roots
     const Eigen::Vector3d turn = to_axes * turning, drift = sums.end.momentum / sums.mass;
     const double takes =
@@ -121,11 +120,10 @@ RigidChange::RigidChange(const PieceSums& sums, float gamma) {
     const Eigen::Matrix3d by_places = end - end.trace() * Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d response =
         Eigen::Matrix3d::Identity() + static_cast<double>(gamma) * to_axes.transpose() * by_places * to_axes;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> squared(response.transpose() * response);
-    const Eigen::Vector3d ease = squared.eigenvalues().cwiseMax(0.25).cwiseInverse();
-    spin = (1 - share) * turn + to_axes * squared.eigenvectors() * ease.asDiagonal() *
-                                    squared.eigenvectors().transpose() * response.transpose() *
-                                    to_axes.transpose() * lacks;
+    const SymmetricAxes squared = symmetric_axes(response.transpose() * response);
+    const Eigen::Vector3d ease = squared.values.cwiseMax(0.25).cwiseInverse();
+    spin = (1 - share) * turn + to_axes * squared.vectors * ease.asDiagonal() * squared.vectors.transpose() *
+                                    response.transpose() * to_axes.transpose() * lacks;
     velocity = sums.missing / sums.row_sum + (1 - share) * drift - spin.cross(centre);
 }
 

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <Eigen/LU>
-#include <Eigen/SVD>
+
+#include "engine/small_matrices.h"
 
 namespace weft {
 
@@ -10,7 +11,6 @@ namespace {
 
 using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
-using Decomposition = Eigen::JacobiSVD<Matrix3d>;
 
 // Fraction of the mean square extent that is added in every direction. The map of a sheet of 1 m then follows
 // the rigid motion across layers less than 0.1 mm thick in all, and the layers' own across thicker ones.
@@ -36,17 +36,17 @@ Vec4 point_near(std::span<const ParticleRange> group, std::span<const Vec4> posi
 /// Finds the rotation nearest to a covariance of places after and before (Kabsch, 1976). Returns false if a
 /// whole family is equally near.
 bool nearest_rotation(const Matrix3d& covariance, Matrix3d& rotation) {
-    const Decomposition svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Vector3d s = svd.singularValues();
-    const double side = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+    const SingularValues svd = singular_values(covariance);
+    const Vector3d& s = svd.values;
+    const double side = (svd.u * svd.v.transpose()).determinant() < 0 ? -1 : 1;
     if (!(s[1] + side * s[2] > no_extent * s[0])) return false;
-    rotation = svd.matrixU() * Vector3d(1, 1, side).asDiagonal() * svd.matrixV().transpose();
+    rotation = svd.u * Vector3d(1, 1, side).asDiagonal() * svd.v.transpose();
     return true;
 }
 
 bool keeps_its_orientation_well(const Matrix3d& map) {
     if (!map.allFinite()) return false;
-    const Vector3d s = Decomposition(map).singularValues();
+    const Vector3d s = singular_values(map).values;
     return map.determinant() > 0 && s[2] >= CommonMotionFit::least_scale &&
            s[0] <= CommonMotionFit::most_scale;
 }

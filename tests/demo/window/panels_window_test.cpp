@@ -1,11 +1,7 @@
-// Panels in the window: they follow its size, and no slider ruins the cloth.
-
-#include <algorithm>
-#include <map>
+// Panels in the window: they follow its size and the mouse.
 
 #include "demo/panels/column.h"
 #include "demo/panels/widgets.h"
-#include "demo/scenes/measures.h"
 #include "tests/demo/look/seen_windows.h"
 #include "tests/demo/window/window.h"
 
@@ -44,61 +40,6 @@ TEST_F(WindowPanels, FollowTheWindowsSize) {
         }));
     }
     play("flag", std::move(acts));
-}
-
-struct Ends {
-    float first, least, most;
-};
-
-TEST_F(WindowPanels, SlidersToBothEndsAndBackLeaveASoundCloth) {
-    std::map<std::string, Ends> ends;
-    std::string moved;
-    float to = 0;
-    all_open = true;
-    slider_probe = [&](const char* label, float& value, float least, float most) {
-        ends.try_emplace(label, Ends{value, least, most});
-        if (label != moved) return false;
-        value = to;
-        return true;
-    };
-    // Threads are no matter of cloth, and text is large when a slider is about to be found.
-    const auto next = [&](const std::string& before) {
-        auto found = ends.upper_bound(before);
-        while (found != ends.end() && (found->first == "threads" || found->first == "text size")) ++found;
-        return found;
-    };
-    std::string which;
-    int turn = 0;
-    double back_at = 0;
-    play("flag",
-         {wait(3), at_once([&](const AppFrame&) {
-              EXPECT_GE(ends.size(), 18u);
-              which = next("")->first;
-          }),
-          [&](const AppFrame&) {  // a picture each: the least, the most, where it was
-              const auto each = ends.find(which);
-              moved = which;
-              to = turn == 0 ? each->second.least : turn == 1 ? each->second.most : each->second.first;
-              if (++turn < 3) return false;
-              turn = 0;
-              const auto after = next(which);
-              if (after != ends.end()) which = after->first;
-              return after == ends.end();
-          },
-          wait(2), at_once([&](const AppFrame& frame) {
-              moved.clear();
-              back_at = frame.simulation.time();
-              EXPECT_EQ(frame.panels.message, "");
-          }),
-          until([&](const AppFrame& frame) { return frame.simulation.time() > back_at + 3; }),
-          at_once([&](const AppFrame& frame) {
-              const SceneCloth& flag = frame.simulation.content().cloths.front();
-              const Stretch stretch = structural_stretch(flag.mesh, first_cloth(frame));
-              EXPECT_LT(stretch.mean, 1.05f);
-              EXPECT_LT(stretch.worst, 1.6f);
-              EXPECT_FALSE(has(frame.simulation.world().report().flags, StepFlags::state_restored));
-          })},
-         {.most_frames = 600, .particles = 150});
 }
 
 TEST_F(WindowPanels, ASliderFollowsTheMouseToBothEnds) {
