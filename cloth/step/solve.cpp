@@ -119,7 +119,8 @@ StepEquation equation_of(Simulation& world, Worker& worker, Cloth& cloth, float 
             .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
             .external = {.gravity = world.gravity_on(cloth),
                          .air_damping = cloth.settings.air_damping,
-                         .air = std::as_const(cloth.air.forces).span()},
+                         .air = std::as_const(cloth.air.forces).span(),
+                         .filling = cloth.filling ? &*cloth.filling : nullptr},
             .contacts = cloth.contacts ? &*cloth.contacts : nullptr,
             .divisor = bdf.divisor};
 }
@@ -127,6 +128,14 @@ StepEquation equation_of(Simulation& world, Worker& worker, Cloth& cloth, float 
 // The residual of finite elements takes a quarter of a step, so it is measured in one step of 32.
 bool is_residual_due(const Simulation& world, const Cloth& cloth) {
     return !cloth.settings.finite_elements.enabled || world.state.steps % 32 == 1;
+}
+
+// Methods other than the passes have the filling's force at the present places, all through the step.
+void begin_filling(Worker& worker, Cloth& cloth, const StepEquation& equation) {
+    if (!cloth.filling) return;
+    cloth.filling->begin();
+    if (!cloth.solver->joins())
+        cloth.filling->linearise(worker.parallel, cloth.model, equation.positions, 0, equation.velocities);
 }
 
 void make_equations(Simulation& world, Worker& worker, Group& group, std::span<Cloth* const> set,
@@ -140,6 +149,7 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
         StepEquation& equation = *std::construct_at(
             &group.equations[m], equation_of(world, worker, cloth, part.h, cloth.bdf_of(part.h, gamma)));
         begin_contacts(worker, cloth, side_of(world, cloth, part.h), part);
+        begin_filling(worker, cloth, equation);
         const bool has_pairs = cloth.has_features() && cloth.can_join();
         if (has_pairs) {
             const auto body =

@@ -26,6 +26,7 @@ Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings&
     auto cooked = cook(mesh, settings.fabric.bending_ratio);
     if (!cooked) return cooked.error();
     if (auto valid = validate_neighbours(*cooked, settings); !valid) return valid.error();
+    if (auto valid = validate_filling(*cooked, settings); !valid) return valid.error();
     return std::make_unique<Cloth>(std::move(cooked).value(), settings);
 }
 
@@ -181,6 +182,7 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
             if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
                 if (auto valid = validate_for_maps(settings); !valid) return valid;
             if (auto valid = validate_neighbours(cloth.model, settings); !valid) return valid;
+            if (auto valid = validate_filling(cloth.model, settings); !valid) return valid;
             if (!cloth.seams.empty())
                 if (auto valid = validate_for_seams(settings); !valid) return valid;
             impl_->simulation.mark_near(cloth);

@@ -9,6 +9,7 @@
 #include "cloth/bodies/body_coupling.h"
 #include "cloth/equation/pair_rows.h"
 #include "cloth/equation/sparse/vectors.h"
+#include "cloth/solver/passes/along_fillings.h"
 #include "cloth/solver/passes/along_seams.h"
 
 namespace weft {
@@ -129,6 +130,7 @@ class Passes {
     Parallel& parallel_;
     PairRows* pairs_;  // null: no features touch
     BodyCoupling* bodies_;
+    Vec4 frame_{};     // velocity that `motion` is relative to
     int passes_ = 0;   // passes taken so far
     double left_ = 0;  // energy that the last pass found beyond its first two directions [J]
 };
@@ -166,6 +168,10 @@ SolveResult Passes::operator()() {
         if (!minimise(false)) return {.ok = false};
     }
     keep_momentum();
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        reach_volume(member, threads, false);
+        linearise_filling(member, threads);
+    });
     let_bodies_follow();
     const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
     return {.unsolved = left_ > tolerated, .is_rough = left_ > rough * ends.energy};
@@ -200,7 +206,8 @@ double Passes::tolerated_energy(const Multilevel& method) const {
 }
 
 void Passes::begin() {
-    const FourRows frame = load(frame_velocity()).array().replicate<1, 4>();
+    frame_ = frame_velocity();
+    const FourRows frame = load(frame_).array().replicate<1, 4>();
     for_each_member([&](const PassMember& member, Parallel& threads) {
         const StepEquation& equation = member.step.equation;
         copy(threads, equation.velocities, member.step.velocities);
@@ -256,10 +263,13 @@ void Passes::linearise() {
         let_bodies_follow();
     for_each_member([&](const PassMember& member, Parallel& threads) {
         const StepEquation& equation = member.step.equation;
+        linearise_filling(member, threads);
         member.system.linearise(threads, equation, member.step.velocities, LinearisedAbout::iterate);
-        if (!is_first) return;
-        const auto levels_timer = member.step.timed(Stage::coarse_operators);
-        member.levels.build(threads, member.system);
+        if (is_first) {
+            const auto levels_timer = member.step.timed(Stage::coarse_operators);
+            member.levels.build(threads, member.system);
+        }
+        find_response(member, threads, frame_, !is_first);
     });
     eliminate_bodies();
 }
@@ -341,15 +351,17 @@ void Passes::find_corrections() {
         const auto timer = member.step.timed(Stage::cycles);
         member.levels.cycle(threads, member.system, std::as_const(member.system).right_side().span(),
                             member.vectors.correction.span());
+        relieve(member, threads, member.vectors.correction.span());
     });
 }
 
 template <class With>
 Products Passes::multiply(Vector x, Vector product, const With& with) {
     for_each_member([&](const PassMember& member, Parallel& threads) {
-        member.vectors.products = member.system.multiply_coupled(
-            threads, with(member), std::as_const(member.vectors.*x).span(),
-            product != nullptr ? (member.vectors.*product).span() : std::span<Vec4>());
+        const std::span<const Vec4> of = std::as_const(member.vectors.*x).span();
+        const std::span<Vec4> to = product != nullptr ? (member.vectors.*product).span() : std::span<Vec4>();
+        member.vectors.products = member.system.multiply_coupled(threads, with(member), of, to);
+        member.vectors.products.x_wx += multiply_filling(member, threads, of, to);
     });
     Products sum;
     for (const PassMember& member : members_) sum = sum + member.vectors.products;
@@ -398,6 +410,7 @@ void Passes::move(const Coefficients& c) {
                                store_four(load_four(v + i) + more, v + i);
                            }
                        });
+        reach_volume(member, threads, true);
     });
 }
 

@@ -1,0 +1,70 @@
+#include "cloth/solver/passes/along_fillings.h"
+
+#include <cmath>
+
+#include "cloth/equation/filling_row.h"
+#include "cloth/equation/sparse/vectors.h"
+
+namespace weft {
+
+namespace {
+
+FillingRow* filling_of(const PassMember& member) {
+    return member.step.equation.external.filling;
+}
+
+}  // namespace
+
+void linearise_filling(const PassMember& member, Parallel& threads) {
+    const StepEquation& equation = member.step.equation;
+    if (FillingRow* const filling = filling_of(member))
+        filling->linearise(threads, member.step.model, equation.base_positions, equation.gamma,
+                           member.step.velocities);
+}
+
+void find_response(const PassMember& member, Parallel& threads, const Vec4& frame, bool has_change) {
+    FillingRow* const filling = filling_of(member);
+    if (filling == nullptr || !filling->has_slope()) return;
+    member.levels.cycle(threads, member.system, filling->gradient(), filling->response());
+    filling->set_response(threads);
+    filling->find_pressure(threads, member.system.right_side().span());
+    PassVectors& of = member.vectors;
+    const StepEquation& equation = member.step.equation;
+    const std::span<const Vec4> velocities = member.step.velocities;
+    threads.ranges(static_cast<std::uint32_t>(velocities.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            of.motion[i] = equation.positions[i].w > 0 ? to_vec4(xyz(velocities[i]) - xyz(frame), 0) : Vec4{};
+    });
+    filling->relieve(threads, of.motion.span());
+    if (has_change) filling->relieve(threads, of.change.span());
+}
+
+void relieve(const PassMember& member, Parallel& threads, std::span<Vec4> direction) {
+    if (FillingRow* const filling = filling_of(member)) filling->relieve(threads, direction);
+}
+
+double multiply_filling(const PassMember& member, Parallel& threads, std::span<const Vec4> x,
+                        std::span<Vec4> product) {
+    FillingRow* const filling = filling_of(member);
+    return filling != nullptr ? filling->multiply(threads, x, product) : 0;
+}
+
+// Newton's method along one direction.
+void reach_volume(const PassMember& member, Parallel& threads, bool with_change) {
+    constexpr int most = 4;
+    constexpr double near = 1e-6;  // of the volume
+    FillingRow* const filling = filling_of(member);
+    if (filling == nullptr || !filling->keeps_volume()) return;
+    PassVectors& of = member.vectors;
+    for (int k = 0; k < most; ++k) {
+        linearise_filling(member, threads);
+        if (std::abs(filling->missing_volume()) <= near * filling->volume()) return;
+        const float by = filling->factor_to_volume();
+        for (const std::span<Vec4> each : {member.step.velocities, of.motion.span()})
+            scale_and_add(threads, by, filling->response(), 1, each);
+        if (with_change) scale_and_add(threads, by, filling->response(), 1, of.change.span());
+    }
+    linearise_filling(member, threads);
+}
+
+}  // namespace weft

@@ -1,0 +1,22 @@
+#pragma once
+// The filling of a member, in the passes over its group.
+
+#include "cloth/solver/passes/passes.h"
+
+namespace weft {
+
+/// Linearises the filling at the member's velocities; before its system, which takes the pressure.
+void linearise_filling(const PassMember& member, Parallel& threads);
+/// Finds how the cloth gives way to pressure; after its levels are built. Takes from the member's motion,
+/// relative to `frame`, and from its last change, if it has one, what the filling resists.
+void find_response(const PassMember& member, Parallel& threads, const Vec4& frame, bool has_change);
+/// Takes from a direction what the filling resists.
+void relieve(const PassMember& member, Parallel& threads, std::span<Vec4> direction);
+/// Adds the filling's term to the product, unless it is empty. Returns x . C x, with C the filling's matrix.
+double multiply_filling(const PassMember& member, Parallel& threads, std::span<const Vec4> x,
+                        std::span<Vec4> product);
+/// Changes the velocities along the response until the filling that keeps its volume has it. `change` takes
+/// part, if it is the present pass's.
+void reach_volume(const PassMember& member, Parallel& threads, bool with_change);
+
+}  // namespace weft
