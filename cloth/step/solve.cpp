@@ -10,6 +10,7 @@
 #include "cloth/stages/air_step.h"
 #include "cloth/stages/collide_step.h"
 #include "cloth/stages/contact_step.h"
+#include "cloth/stages/filling_step.h"
 #include "cloth/stages/report_contacts.h"
 #include "cloth/stages/seam_step.h"
 #include "cloth/stages/step_bodies.h"
@@ -130,14 +131,6 @@ bool is_residual_due(const Simulation& world, const Cloth& cloth) {
     return !cloth.settings.finite_elements.enabled || world.state.steps % 32 == 1;
 }
 
-// Methods other than the passes have the filling's force at the present places, all through the step.
-void begin_filling(Worker& worker, Cloth& cloth, const StepEquation& equation) {
-    if (!cloth.filling) return;
-    cloth.filling->begin();
-    if (!cloth.solver->joins())
-        cloth.filling->linearise(worker.parallel, cloth.model, equation.positions, 0, equation.velocities);
-}
-
 void make_equations(Simulation& world, Worker& worker, Group& group, std::span<Cloth* const> set,
                     const Substep& part, float gamma) {
     const auto first = static_cast<std::size_t>(set.data() - group.cloths.data());
@@ -224,11 +217,12 @@ void collide_with_colliders(Simulation& world, Worker& worker, Cloth& cloth, con
 }
 
 // Each stage overrides those before it, so the most important is last: springs' limits, other cloth,
-// colliders, leashes and backstops.
+// colliders, the volume that they took, leashes and backstops.
 void settle(Simulation& world, Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(world, worker, cloth);
     avoid_self_collision(world, worker, cloth, part.h);
     collide_with_colliders(world, worker, cloth, part);
+    restore_volume(worker, cloth);
     hold_worn(world, worker, cloth);
 }
 

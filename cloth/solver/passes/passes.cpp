@@ -167,10 +167,11 @@ SolveResult Passes::operator()() {
         linearise();
         if (!minimise(false)) return {.ok = false};
     }
+    for_each_member(linearise_filling);  // or its force would turn the cloth, which has moved since
     keep_momentum();
-    for_each_member([&](const PassMember& member, Parallel& threads) {
-        reach_volume(member, threads, false);
+    for_each_member([](const PassMember& member, Parallel& threads) {
         linearise_filling(member, threads);
+        reach_volume(member, threads, false);
     });
     let_bodies_follow();
     const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
