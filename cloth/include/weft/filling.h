@@ -7,7 +7,7 @@ namespace weft {
 
 /// Kinds of fillings.
 enum class FillingKind : std::uint32_t {
-    none,      ///< nothing, at no cost, whatever the filling's other values are
+    none,      ///< nothing, at no cost
     pressure,  ///< a gauge pressure that does not depend on the volume, as from a fan or a pump
     gas,       ///< an amount of gas at one temperature: its pressure times its volume is constant
     volume,    ///< a volume that stays the same: water, or cushions that must not yield

@@ -124,7 +124,7 @@ TEST_P(KeptVolume, WhileItFallsToTheGround) {
         fallen.run(1);
         EXPECT_NEAR(fallen.error(), 0, 1e-3) << k;
     }
-    EXPECT_GT(fallen.world.bounds(fallen.id)->lower.y, -0.001f);
+    EXPECT_GT(fallen.world.cloth(fallen.id)->bounds.lower.y, -0.001f);
 }
 
 TEST_P(KeptVolume, WhileABoxSqueezesIt) {
@@ -146,8 +146,8 @@ TEST(Filling, FreeFlightKeepsMomentumAndGainsNoEnergy) {
     for (const FillingKind kind : {FillingKind::pressure, FillingKind::gas, FillingKind::volume}) {
         Filled flying(ball(), filled({.kind = kind, .pressure = 2000}), vacuum({1, 0, 0.5f}));
         flying.run(60);
-        WorldSettings still = vacuum();
-        ASSERT_TRUE(flying.world.set_settings(still));
+        ASSERT_TRUE(flying.world.set_settings(vacuum()));
+        flying.run(20);  // the time scheme extrapolates the last acceleration for some steps
         const Eigen::Vector3d p = flying.momentum();
         const double before = flying.kinetic_energy(), scale = p.norm();
         double most = before;
@@ -176,16 +176,17 @@ TEST(Filling, FollowsAVolumeThatGrows) {
 }
 
 TEST(Filling, ActsInEveryMethod) {
-    const Method methods[] = {Jacobi{}, Chebyshev{}, ConjugateGradient{}, Xpbd{.iterations = 40}, Fibres{}};
+    const Method methods[] = {Jacobi{}, Chebyshev{}, ConjugateGradient{}, Xpbd{.iterations = 10}, Fibres{}, SymplecticEuler{}};
     for (const Method& method : methods) {
-        ClothSettings settings = filled({.kind = FillingKind::pressure, .pressure = 500}, 1000);
+        ClothSettings settings = filled({.kind = FillingKind::pressure, .pressure = 20}, 40);
         settings.method = method;
-        settings.substeps = 4;
+        settings.substeps = std::holds_alternative<SymplecticEuler>(method) ? 64 : 8;
         settings.air_damping = 5;
         Filled balloon(ball(), settings);
         balloon.run(120);
         const double strain = balloon.mean_radius() / Filled(ball(), filled({})).mean_radius() - 1;
-        EXPECT_NEAR(strain, 500 * 0.1 / 2 / 1000, 0.01) << method.index();
+        EXPECT_GT(strain, 0.013) << method.index();  // Xpbd's springs are stiffer on general meshes
+        EXPECT_LT(strain, 0.03) << method.index();
     }
 }
 
