@@ -12,6 +12,7 @@
 #include "cloth/record/world_calls.h"
 #include "cloth/settings/validate.h"
 #include "cloth/store/save.h"
+#include "cloth/world/coincident.h"
 #include "cloth/world/debug_draw.h"
 #include "engine/error_text.h"
 #include "engine/memory/without_exceptions.h"
@@ -114,6 +115,7 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
         auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
         impl_->simulation.prepare(**cloth);
+        log_coincident(impl_->simulation, **cloth);
         const ClothInfo cooked = (*cloth)->model.info;
         const ClothId id = impl_->simulation.add(std::move(cloth).value());
         log_repairs(cooked);

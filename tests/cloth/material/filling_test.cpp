@@ -176,7 +176,8 @@ TEST(Filling, FollowsAVolumeThatGrows) {
 }
 
 TEST(Filling, ActsInEveryMethod) {
-    const Method methods[] = {Jacobi{}, Chebyshev{}, ConjugateGradient{}, Xpbd{.iterations = 10}, Fibres{}, SymplecticEuler{}};
+    const Method methods[] = {Jacobi{}, Chebyshev{},      ConjugateGradient{}, Xpbd{.iterations = 10},
+                              Fibres{}, SymplecticEuler{}};
     for (const Method& method : methods) {
         ClothSettings settings = filled({.kind = FillingKind::pressure, .pressure = 20}, 40);
         settings.method = method;
