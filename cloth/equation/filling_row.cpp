@@ -54,19 +54,24 @@ void FillingRow::begin() noexcept {
 void FillingRow::linearise(Parallel& parallel, const ClothModel& model, std::span<const Vec4> bases,
                            float gamma, std::span<const Vec4> velocities) {
     gamma_ = gamma;
-    const auto at = [&](std::uint32_t i) -> Vector3 { return xyz(bases[i]) + gamma * xyz(velocities[i]); };
-    const Vector3 origin = at(0);
+    const auto at = [&](std::uint32_t i) -> Eigen::Vector4f {
+        return load(bases[i]) + gamma * load(velocities[i]);  // w is of no use
+    };
+    const Eigen::Vector4f origin = at(0);
+    const std::span<const std::uint32_t> offsets = model.corner_offsets.span(),
+                                         corners = model.corner_triangles.span();
+    const std::span<const Triangle> triangles = model.triangles.span();
     const auto of_particle = [&](std::uint32_t i) {
-        const Vector3 x = at(i);
-        Vector3 sum = Vector3::Zero();
-        for (std::uint32_t c = model.corner_offsets[i]; c < model.corner_offsets[i + 1]; ++c) {
-            const Triangle& triangle = model.triangles[model.corner_triangles[c]];
+        const Eigen::Vector4f x = at(i);
+        Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+        for (const std::uint32_t t : corners.subspan(offsets[i], offsets[i + 1] - offsets[i])) {
+            const Triangle& triangle = triangles[t];
             const std::uint32_t k = corner_at(triangle, i);
-            sum += (at(triangle[(k + 1) % 3]) - x).cross(at(triangle[(k + 2) % 3]) - x);
+            sum += (at(triangle[(k + 1) % 3]) - x).cross3(at(triangle[(k + 2) % 3]) - x);
         }
-        const Vector3 gradient = sum / 6;
+        const Vector3 gradient = sum.head<3>() / 6;
         gradient_[i] = bases[i].w > 0 ? to_vec4(gradient, 0) : Vec4{};
-        return gradient.cast<double>().dot((x - origin).cast<double>()) / 3;
+        return gradient.cast<double>().dot((x - origin).head<3>().cast<double>()) / 3;
     };
     volume_ = sum_over_particles(parallel, model.particle_count, partials_.span(), of_particle);
     if (keeps_volume()) return;

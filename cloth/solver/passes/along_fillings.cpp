@@ -50,21 +50,20 @@ double multiply_filling(const PassMember& member, Parallel& threads, std::span<c
 }
 
 // Newton's method along one direction.
-void reach_volume(const PassMember& member, Parallel& threads, bool with_change) {
+void follow_filling(const PassMember& member, Parallel& threads) {
     constexpr int most = 4;
-    constexpr double near = 1e-6;  // of the volume
+    constexpr double near = 1e-5;  // of the volume
     FillingRow* const filling = filling_of(member);
-    if (filling == nullptr || !filling->keeps_volume()) return;
+    if (filling == nullptr) return;
     PassVectors& of = member.vectors;
-    for (int k = 0; k < most; ++k) {
+    for (int k = 0;; ++k) {
         linearise_filling(member, threads);
-        if (std::abs(filling->missing_volume()) <= near * filling->volume()) return;
+        const bool is_near = std::abs(filling->missing_volume()) <= near * filling->volume();
+        if (!filling->keeps_volume() || is_near || k == most) return;
         const float by = filling->factor_to_volume();
-        for (const std::span<Vec4> each : {member.step.velocities, of.motion.span()})
+        for (const std::span<Vec4> each : {member.step.velocities, of.motion.span(), of.change.span()})
             scale_and_add(threads, by, filling->response(), 1, each);
-        if (with_change) scale_and_add(threads, by, filling->response(), 1, of.change.span());
     }
-    linearise_filling(member, threads);
 }
 
 }  // namespace weft

@@ -15,8 +15,8 @@ void relieve(const PassMember& member, Parallel& threads, std::span<Vec4> direct
 /// Adds the filling's term to the product, unless it is empty. Returns x . C x, with C the filling's matrix.
 double multiply_filling(const PassMember& member, Parallel& threads, std::span<const Vec4> x,
                         std::span<Vec4> product);
-/// Changes the velocities along the response until the filling that keeps its volume has it. `change` takes
-/// part, if it is the present pass's.
-void reach_volume(const PassMember& member, Parallel& threads, bool with_change);
+/// After velocities have changed: linearises the filling anew. One that keeps its volume first changes the
+/// velocities, and the present pass's motion and change, along the response until it has that volume.
+void follow_filling(const PassMember& member, Parallel& threads);
 
 }  // namespace weft

@@ -167,12 +167,8 @@ SolveResult Passes::operator()() {
         linearise();
         if (!minimise(false)) return {.ok = false};
     }
-    for_each_member(linearise_filling);  // or its force would turn the cloth, which has moved since
     keep_momentum();
-    for_each_member([](const PassMember& member, Parallel& threads) {
-        linearise_filling(member, threads);
-        reach_volume(member, threads, false);
-    });
+    for_each_member(follow_filling);
     let_bodies_follow();
     const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
     return {.unsolved = left_ > tolerated, .is_rough = left_ > rough * ends.energy};
@@ -264,7 +260,7 @@ void Passes::linearise() {
         let_bodies_follow();
     for_each_member([&](const PassMember& member, Parallel& threads) {
         const StepEquation& equation = member.step.equation;
-        linearise_filling(member, threads);
+        if (is_first) linearise_filling(member, threads);
         member.system.linearise(threads, equation, member.step.velocities, LinearisedAbout::iterate);
         if (is_first) {
             const auto levels_timer = member.step.timed(Stage::coarse_operators);
@@ -411,7 +407,7 @@ void Passes::move(const Coefficients& c) {
                                store_four(load_four(v + i) + more, v + i);
                            }
                        });
-        reach_volume(member, threads, true);
+        follow_filling(member, threads);
     });
 }
 
