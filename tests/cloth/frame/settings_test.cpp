@@ -91,6 +91,7 @@ std::vector<Knob> knobs() {
         {"ClothSettings::gravity_scale", -10, 10, [](S& s) -> float& { return s.cloth.gravity_scale; }},
         {"ClothSettings::wind_scale", 0, 10, [](S& s) -> float& { return s.cloth.wind_scale; }},
         {"Filling::pressure", -1e5f, 1e7f, [](S& s) -> float& { return s.cloth.filling.pressure; }},
+        {"Filling::volume", 1e-12f, 1e9f, [](S& s) -> float& { return s.cloth.filling.volume; }},
         {"Filling::outside", 0, 1e7f, [](S& s) -> float& { return s.cloth.filling.outside; }},
         {"ClothSettings::teleport_distance", 0, 1e6f,
          [](S& s) -> float& { return s.cloth.teleport_distance; }},
