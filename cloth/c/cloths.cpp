@@ -104,6 +104,9 @@ WeftResult weft_world_wake(WeftWorld* world, WeftClothId id) {
 WeftResult weft_world_set_importance(WeftWorld* world, WeftClothId id, float importance) {
     return on(world, [&](weft::World& of) { return of.set_importance(id_of(id), importance); });
 }
+WeftResult weft_world_filling_info(const WeftWorld* world, WeftClothId id, WeftFillingInfo* info) {
+    return on(world, [&](const weft::World& of) { return hand("info", of.filling_info(id_of(id)), info); });
+}
 WeftResult weft_world_cloth_info(const WeftWorld* world, WeftClothId id, WeftClothInfo* info) {
     return on(world, [&](const weft::World& of) { return hand("info", of.cloth_info(id_of(id)), info); });
 }

@@ -24,6 +24,10 @@ struct StandsFor<WeftFrameInertia> : std::type_identity<FrameInertia> {};
 template <>
 struct StandsFor<WeftSelfCollision> : std::type_identity<SelfCollision> {};
 template <>
+struct StandsFor<WeftFilling> : std::type_identity<Filling> {};
+template <>
+struct StandsFor<WeftFillingInfo> : std::type_identity<FillingInfo> {};
+template <>
 struct StandsFor<WeftClothSettings> : std::type_identity<ClothSettings> {};
 template <>
 struct StandsFor<WeftAirSource> : std::type_identity<AirSource> {};

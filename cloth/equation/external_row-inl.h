@@ -8,6 +8,7 @@
 #endif
 
 #include "cloth/equation/contacts.h"
+#include "cloth/equation/filling_row.h"
 #include "cloth/equation/sparse/stencil-inl.h"
 #include "cloth/equation/step_equation.h"
 #include "engine/simd/symmetric3-inl.h"
@@ -53,6 +54,9 @@ HWY_INLINE Row external_row(const StepEquation& equation, std::uint32_t i, Lanes
         row.impulse = mul_add(gamma, mul_add(air.w, since, xyz(air)), row.impulse);
         row.row_sum = hn::MulAdd(gamma, air.w, row.row_sum);
     }
+    if (const FillingRow* const filling = external.filling; filling != nullptr)
+        row.impulse =
+            mul_add(gamma * set(filling->pressure()), xyz(load_rows(&filling->gradient()[i])), row.impulse);
     const ContactRows* const contacts = equation.contacts != nullptr ? &equation.contacts->rows() : nullptr;
     if (touches(contacts, i))
         row.impulse =

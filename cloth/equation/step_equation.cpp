@@ -1,6 +1,18 @@
 #include "cloth/equation/step_equation.h"
 
+#include "cloth/equation/filling_row.h"
+
 namespace weft {
+
+namespace {
+
+/// Force of the filling on a particle [N].
+Vector3 force_of_filling(const ExternalForces& external, std::uint32_t i) {
+    if (external.filling == nullptr) return Vector3::Zero();
+    return external.filling->pressure() * xyz(external.filling->gradient()[i]);
+}
+
+}  // namespace
 
 ExternalRow external_row(const StepEquation& equation, std::uint32_t i) {
     const ExternalForces& forces = equation.external;
@@ -10,8 +22,9 @@ ExternalRow external_row(const StepEquation& equation, std::uint32_t i) {
     const Vec4 air = forces.air.empty() ? Vec4{} : forces.air[i];
     const float mass = 1 / w, gamma = equation.gamma;
     const float row_sum = mass * (1 + gamma * forces.air_damping) + gamma * air.w;
-    const Vector3 impulse =
+    Vector3 impulse =
         mass * (xyz(equation.base_velocities[i]) + gamma * forces.gravity) + gamma * (xyz(air) + air.w * v);
+    if (forces.filling != nullptr) impulse += gamma * force_of_filling(forces, i);
     return {impulse / row_sum, row_sum};
 }
 
@@ -27,8 +40,8 @@ void predict_velocities(Parallel& parallel, const StepEquation& equation, std::s
                 continue;
             }
             const Vec4 air = external.air.empty() ? Vec4{} : external.air[i];
-            const Vector3 acceleration =
-                external.gravity - external.air_damping * v + inverse_mass * xyz(air);
+            Vector3 acceleration = external.gravity - external.air_damping * v + inverse_mass * xyz(air);
+            if (external.filling != nullptr) acceleration += inverse_mass * force_of_filling(external, i);
             const float row_sum = 1.0f + h * (external.air_damping + inverse_mass * air.w);
             predicted[i] = to_vec4(v + h * acceleration / row_sum, 0);
         }

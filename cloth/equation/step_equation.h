@@ -12,6 +12,7 @@ namespace weft {
 
 class BodyCoupling;
 class Contacts;
+class FillingRow;
 class PairRows;
 class SeamRows;
 
@@ -20,6 +21,7 @@ struct ExternalForces {
     Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
     float air_damping = 0;              ///< [1/s]
     std::span<const Vec4> air;          ///< per particle: force [N], w slope of drag [N s/m]; empty: no air
+    FillingRow* filling = nullptr;  ///< of the cloth, or null; its force is that at its last linearisation
 };
 
 ///     M (v - v_base) = gamma f(x_base + gamma v, v)

@@ -196,9 +196,8 @@ void Cloth::apply_to_model(const ClothSettings& changed, const MakeRoom& make_ro
     const bool meets_others = self_collision.layers != settings.self_collision.layers ||
                               self_collision.mask != settings.self_collision.mask;
     const bool has_new_mesh = new_features && new_features->mesh;
-    const std::size_t bytes =
-        scratch_of_steps(other_solver ? *other_solver : *solver, second_order, self_collision,
-                         has_new_mesh ? new_features->mesh.get() : contact_mesh.get());
+    const std::size_t bytes = scratch_of_steps(other_solver ? *other_solver : *solver, second_order, changed,
+                                               has_new_mesh ? new_features->mesh.get() : contact_mesh.get());
     if (make_room) make_room(bytes);
 
     // From here on nothing can fail.
@@ -206,6 +205,7 @@ void Cloth::apply_to_model(const ClothSettings& changed, const MakeRoom& make_ro
     const bool was_enabled = settings.enabled;
     settings = changed;
     settings.enabled = was_enabled;
+    filling = make_filling(settings.filling);
     side_buffers.write(settings);
     set_enabled(changed.enabled);
     if (changed.sleep_speed > 0)
@@ -264,20 +264,23 @@ void Cloth::take_features(std::optional<FeatureBuffers>&& made, const SelfCollis
 void Cloth::lay_out(Scratch& scratch) {
     if (history) history->lay_out(scratch, model.particle_count);
     solver->lay_out(scratch, pairs_in_equation(settings.self_collision));
+    if (filling) filling->lay_out(scratch, model.particle_count);
 }
 
 void Cloth::take_solver(std::unique_ptr<Solver>&& made) {
     solver = std::move(made);
-    scratch_bytes =
-        scratch_of_steps(*solver, history.has_value(), settings.self_collision, contact_mesh.get());
+    scratch_bytes = scratch_of_steps(*solver, history.has_value(), settings, contact_mesh.get());
 }
 
-std::size_t Cloth::scratch_of_steps(Solver& with, bool second_order, const SelfCollision& of,
+std::size_t Cloth::scratch_of_steps(Solver& with, bool second_order, const ClothSettings& of,
                                     const ContactMesh* mesh) const {
+    const SelfCollision& contact = of.self_collision;
     Scratch scratch;
     if (second_order) History().lay_out(scratch, model.particle_count);
-    with.lay_out(scratch, pairs_in_equation(of));
-    return scratch.bytes() + weft::scratch_bytes(weft::has_features(of) ? mesh : nullptr, has_zones(of));
+    with.lay_out(scratch, pairs_in_equation(contact));
+    if (auto filled = make_filling(of.filling)) filled->lay_out(scratch, model.particle_count);
+    return scratch.bytes() +
+           weft::scratch_bytes(weft::has_features(contact) ? mesh : nullptr, has_zones(contact));
 }
 
 /// Reserves room for pairs. If that fails, a cloth without pairs in its equation has none reserved.
@@ -330,8 +333,7 @@ SeamBuffers Cloth::make_seams(std::vector<SeamRows*>&& list) {
         [&] {
             if (pairs_in_equation(settings.self_collision) > 0) reserve_pairs(*solver);
             made.contacts = make_contacts(has_colliders_);
-            made.scratch_bytes =
-                scratch_of_steps(*solver, history.has_value(), settings.self_collision, contact_mesh.get());
+            made.scratch_bytes = scratch_of_steps(*solver, history.has_value(), settings, contact_mesh.get());
         },
         swap_back);
     swap_back();
@@ -349,7 +351,7 @@ void Cloth::take_seams(SeamBuffers&& made) noexcept {
 void Cloth::drop_seam(const SeamRows* gone) noexcept {
     std::erase(seams, gone);
     take_seams({std::move(seams), std::nullopt,
-                scratch_of_steps(*solver, history.has_value(), settings.self_collision, contact_mesh.get())});
+                scratch_of_steps(*solver, history.has_value(), settings, contact_mesh.get())});
 }
 
 ContactCloth Cloth::as_body() const {

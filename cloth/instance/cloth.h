@@ -15,6 +15,7 @@
 #include "cloth/budget/budgeted.h"
 #include "cloth/contact/feature_contact.h"
 #include "cloth/equation/contacts.h"
+#include "cloth/equation/filling_row.h"
 #include "cloth/instance/cloth_side_buffers.h"
 #include "cloth/limits/limit.h"
 #include "cloth/limits/worn_limits.h"
@@ -142,6 +143,8 @@ struct ShownCloth {
 /// Error: too much of the cloth is within SelfCollision::distance along it. Does nothing in builds with
 /// exceptions, in which apply() throws that error.
 [[nodiscard]] Result<void> validate_neighbours(const ClothModel& model, const ClothSettings& settings);
+/// Error: the mesh is not closed, is wound inwards, or encloses nothing that a filling could go by.
+[[nodiscard]] Result<void> validate_filling(const ClothModel& model, const ClothSettings& settings);
 
 /// Changes that may run out of memory come in two parts: make_...() allocates, take_...() stores the result
 /// and cannot fail. apply(), pin() and unpin() do both: if they throw, nothing has changed.
@@ -288,8 +291,11 @@ struct Cloth {
     std::optional<RestNeighbours> rest_neighbours;  ///< only with self-collision on
     std::optional<Contacts> contacts;  ///< only of implicit solvers, with colliders, worn limits or features
     std::shared_ptr<const ContactMesh> contact_mesh;
-    bool shares_contact_mesh = false;        ///< the mesh is the CookedCloth's
-    ExpectedWay expected;                    ///< only with features: motion in the present substep
+    bool shares_contact_mesh = false;   ///< the mesh is the CookedCloth's
+    ExpectedWay expected;               ///< only with features: motion in the present substep
+    std::optional<FillingRow> filling;  ///< only of a cloth that has one
+    /// Volume and pressure now.
+    [[nodiscard]] FillingInfo filling_info() const;
     std::vector<SeamRows*> seams;            ///< by id; the World owns them
     CommonLevels sewn;                       ///< null, unless it has seams
     std::uint32_t place = 0;                 ///< among the cloths that the step takes; see join_seams()
@@ -376,10 +382,11 @@ struct Cloth {
     bool has_colliders_ = false;
     std::size_t shared_bytes_ = 0;  ///< bytes shared with all copies of one CookedCloth
 
-    /// Bytes that its steps take of the World's scratch, with these settings of contact and this mesh of
-    /// features, or null.
-    [[nodiscard]] std::size_t scratch_of_steps(Solver& with, bool second_order, const SelfCollision& of,
+    /// Bytes that its steps take of the World's scratch, with these settings and this mesh of features, or
+    /// null.
+    [[nodiscard]] std::size_t scratch_of_steps(Solver& with, bool second_order, const ClothSettings& of,
                                                const ContactMesh* mesh) const;
+    [[nodiscard]] std::optional<FillingRow> make_filling(const Filling& of) const;
     [[nodiscard]] std::size_t own_bytes() const;
     [[nodiscard]] bool is_second_order(const ClothSettings& of, const Solver& with) const;
     [[nodiscard]] std::optional<ContactBuffers> make_contacts(bool any_colliders, const ClothSettings& of,

@@ -113,6 +113,21 @@ void for_each_field(T& of, const Visit& visit) {
 template <FieldsOf<SymplecticEuler> T, class Visit>
 void for_each_field(T& /*of*/, const Visit& /*visit*/) {}
 
+template <FieldsOf<Filling> A, FieldsOf<Filling> B, class Way>
+constexpr void for_both(A& a, B& b, const Way& way) {
+    way("kind", a.kind, b.kind);
+    way("pressure", a.pressure, b.pressure);
+    way("volume", a.volume, b.volume);
+    way("outside", a.outside, b.outside);
+}
+template <FieldsOf<FillingInfo> A, FieldsOf<FillingInfo> B, class Way>
+constexpr void for_both(A& a, B& b, const Way& way) {
+    way("open_edges", a.open_edges, b.open_edges);
+    way("volume", a.volume, b.volume);
+    way("rest_volume", a.rest_volume, b.rest_volume);
+    way("pressure", a.pressure, b.pressure);
+}
+
 template <FieldsOf<ClothSettings> A, FieldsOf<ClothSettings> B, class Way>
 constexpr void for_both(A& a, B& b, const Way& way) {
     way("fabric", a.fabric, b.fabric);
@@ -136,6 +151,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("teleport_angle", a.teleport_angle, b.teleport_angle);
     way("gravity_scale", a.gravity_scale, b.gravity_scale);
     way("wind_scale", a.wind_scale, b.wind_scale);
+    way("filling", a.filling, b.filling);
 }
 
 template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>

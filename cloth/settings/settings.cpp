@@ -149,6 +149,16 @@ void check_together(Checks& checks, const ClothSettings& settings) {
           std::holds_alternative<SymplecticEuler>(settings.method)),
         "FiniteElements::consistent_mass is true, and SymplecticEuler divides by lumped masses; it must "
         "be false with it, or ClothSettings::method an implicit one");
+    const Filling& filling = settings.filling;
+    const bool has_slope = filling.kind == FillingKind::gas || filling.kind == FillingKind::volume;
+    checks.allow(
+        !(has_slope && !std::holds_alternative<Multilevel>(settings.method)),
+        "Filling::kind is FillingKind::gas or volume, which only Multilevel has in its equation; it must "
+        "be FillingKind::pressure or none with other methods, or ClothSettings::method Multilevel");
+    checks.allow(
+        !(filling.kind == FillingKind::gas && !(filling.pressure + filling.outside > 0)),
+        "Filling::pressure is the opposite of Filling::outside or less, which leaves no gas; their sum "
+        "must be above 0");
 }
 
 void check(Checks& checks, const SelfCollision& contact) {
@@ -163,6 +173,14 @@ void check(Checks& checks, const SelfCollision& contact) {
                  "SelfCollision::method SelfCollisionMethod::impact_zones");
     checks.zero_or_between("SelfCollision::distance", contact.distance, 1e-6f, 10);
     checks.between("SelfCollision::friction", contact.friction, 0, 1000);
+}
+
+void check(Checks& checks, const Filling& filling) {
+    checks.one_of("Filling::kind", filling.kind,
+                  {"FillingKind::none", "FillingKind::pressure", "FillingKind::gas", "FillingKind::volume"});
+    checks.between("Filling::pressure", filling.pressure, -1e5f, 1e7f);
+    checks.zero_or_between("Filling::volume", filling.volume, 1e-12f, 1e9f);
+    checks.between("Filling::outside", filling.outside, 0, 1e7f);
 }
 
 void check_importance(Checks& checks, float importance) {
@@ -227,6 +245,7 @@ Result<void> validate(const ClothSettings& settings) {
     check(checks, settings.fabric);
     check(checks, settings.finite_elements);
     check(checks, settings.method);
+    check(checks, settings.filling);
     check_together(checks, settings);
     checks.one_of("ClothSettings::time_scheme", settings.time_scheme,
                   {"TimeScheme::of_method", "TimeScheme::backward_euler", "TimeScheme::bdf2"});

@@ -10,6 +10,7 @@
 #include "cloth/stages/air_step.h"
 #include "cloth/stages/collide_step.h"
 #include "cloth/stages/contact_step.h"
+#include "cloth/stages/filling_step.h"
 #include "cloth/stages/report_contacts.h"
 #include "cloth/stages/seam_step.h"
 #include "cloth/stages/step_bodies.h"
@@ -119,7 +120,8 @@ StepEquation equation_of(Simulation& world, Worker& worker, Cloth& cloth, float 
             .base_velocities = second_order ? cloth.history->base_velocities() : now.velocities.span(),
             .external = {.gravity = world.gravity_on(cloth),
                          .air_damping = cloth.settings.air_damping,
-                         .air = std::as_const(cloth.air.forces).span()},
+                         .air = std::as_const(cloth.air.forces).span(),
+                         .filling = cloth.filling ? &*cloth.filling : nullptr},
             .contacts = cloth.contacts ? &*cloth.contacts : nullptr,
             .divisor = bdf.divisor};
 }
@@ -140,6 +142,7 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
         StepEquation& equation = *std::construct_at(
             &group.equations[m], equation_of(world, worker, cloth, part.h, cloth.bdf_of(part.h, gamma)));
         begin_contacts(worker, cloth, side_of(world, cloth, part.h), part);
+        begin_filling(worker, cloth, equation);
         const bool has_pairs = cloth.has_features() && cloth.can_join();
         if (has_pairs) {
             const auto body =
@@ -215,11 +218,12 @@ void collide_with_colliders(Simulation& world, Worker& worker, Cloth& cloth, con
 }
 
 // Each stage overrides those before it, so the most important is last: springs' limits, other cloth,
-// colliders, leashes and backstops.
+// colliders, the volume that they took, leashes and backstops.
 void settle(Simulation& world, Worker& worker, Cloth& cloth, const Substep& part) {
     hold_within_limits(world, worker, cloth);
     avoid_self_collision(world, worker, cloth, part.h);
     collide_with_colliders(world, worker, cloth, part);
+    restore_volume(worker, cloth);
     hold_worn(world, worker, cloth);
 }
 

@@ -35,13 +35,14 @@ Cloth::Cloth(const Cloth& cooked)
       partial_sums(block_count(model.particle_count)),
       partial_surveys(block_count(model.particle_count)) {
     side_buffers.write(settings);
+    filling = cooked.filling;
     if (!solver) solver = make_solver(model, settings, state.positions.span());
     if (cooked.history) history.emplace();
     for (const std::unique_ptr<Limit>& limit : cooked.limits) limits.push_back(limit->clone());
     const SelfCollision& self_collision = settings.self_collision;
     if (pairs_in_equation(self_collision) > 0) reserve_pairs(*solver);
     take_features(make_features(self_collision), self_collision);
-    scratch_bytes = scratch_of_steps(*solver, history.has_value(), self_collision, contact_mesh.get());
+    scratch_bytes = scratch_of_steps(*solver, history.has_value(), settings, contact_mesh.get());
     take_contacts(make_contacts(false), false);
     const std::size_t of_cooked = cooked.own_bytes(), own = own_bytes();
     shared_bytes_ = of_cooked > own ? of_cooked - own : 0;

@@ -19,6 +19,7 @@ Result<CookedCloth> CookedCloth::create(const Mesh& mesh, const ClothSettings& s
         auto model = cook(mesh, settings.fabric.bending_ratio, &report, progress);
         if (!model) return model.error();
         if (auto valid = validate_neighbours(*model, settings); !valid) return valid.error();
+        if (auto valid = validate_filling(*model, settings); !valid) return valid.error();
         CookedCloth cooked(
             std::make_shared<const Impl>(std::move(model).value(), std::move(report), settings, progress));
         if (progress.is_cancelled()) return Progress::cancelled();

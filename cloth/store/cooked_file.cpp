@@ -346,6 +346,7 @@ Result<CookedCloth> CookedCloth::load_in_place(std::span<const std::byte> saved,
         auto made = read(*head, *kept, settings);
         if (!made) return made.error();
         ReadCloth cloth = std::move(made).value();
+        if (auto valid = validate_filling(cloth.model, settings); !valid) return valid.error();
         return CookedCloth(std::make_shared<const Impl>(std::move(cloth.model), std::move(cloth.report),
                                                         settings, std::move(cloth.constants)));
     });

@@ -45,6 +45,10 @@ constexpr const char* name_of(AirShelterKind value) {
     constexpr const char* names[] = {"none", "ball", "box"};
     return detail::name_among(names, value);
 }
+constexpr const char* name_of(FillingKind value) {
+    constexpr const char* names[] = {"none", "pressure", "gas", "volume"};
+    return detail::name_among(names, value);
+}
 constexpr const char* name_of(ColliderResponse value) {
     constexpr const char* names[] = {"contact", "velocity_filter"};
     return detail::name_among(names, value);

@@ -12,6 +12,7 @@
 #include "cloth/record/world_calls.h"
 #include "cloth/settings/validate.h"
 #include "cloth/store/save.h"
+#include "cloth/world/coincident.h"
 #include "cloth/world/debug_draw.h"
 #include "engine/error_text.h"
 #include "engine/memory/without_exceptions.h"
@@ -26,6 +27,7 @@ Result<std::unique_ptr<Cloth>> make_cloth(const Mesh& mesh, const ClothSettings&
     auto cooked = cook(mesh, settings.fabric.bending_ratio);
     if (!cooked) return cooked.error();
     if (auto valid = validate_neighbours(*cooked, settings); !valid) return valid.error();
+    if (auto valid = validate_filling(*cooked, settings); !valid) return valid.error();
     return std::make_unique<Cloth>(std::move(cooked).value(), settings);
 }
 
@@ -113,6 +115,7 @@ Result<ClothId> World::add_cloth(const Mesh& mesh, const ClothSettings& settings
         auto cloth = make_cloth(mesh, settings);
         if (!cloth) return cloth.error();
         impl_->simulation.prepare(**cloth);
+        log_coincident(impl_->simulation, **cloth);
         const ClothInfo cooked = (*cloth)->model.info;
         const ClothId id = impl_->simulation.add(std::move(cloth).value());
         log_repairs(cooked);
@@ -183,6 +186,7 @@ Result<void> World::set_cloth_settings(ClothId id, const ClothSettings& settings
             if (cloth.areas_without_map.size() > 0 || cloth.model.stiffness.size() > 0)
                 if (auto valid = validate_for_maps(settings); !valid) return valid;
             if (auto valid = validate_neighbours(cloth.model, settings); !valid) return valid;
+            if (auto valid = validate_filling(cloth.model, settings); !valid) return valid;
             if (!cloth.seams.empty())
                 if (auto valid = validate_for_seams(settings); !valid) return valid;
             impl_->simulation.mark_near(cloth);

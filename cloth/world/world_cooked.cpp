@@ -2,6 +2,7 @@
 #include "cloth/record/world_calls.h"
 #include "cloth/settings/validate.h"
 #include "cloth/store/cooked_cloth.h"
+#include "cloth/world/coincident.h"
 
 namespace weft {
 
@@ -30,6 +31,7 @@ Result<ClothId> World::add_cloth(const CookedCloth& cooked, const Transform& pla
         auto cloth = std::make_unique<Cloth>(cooked.impl_->cloth);
         if (auto valid = put(*cloth, place); !valid) return valid.error();
         impl_->simulation.prepare(*cloth);
+        log_coincident(impl_->simulation, *cloth);
         return impl_->simulation.add(std::move(cloth));
     };
     return impl_->change_by(Call::add_cooked_cloth, add, [&](const Result<ClothId>& id) {

@@ -134,4 +134,11 @@ Result<std::size_t> World::triangles_in_ball(const Vec3& center, float radius, s
     });
 }
 
+Result<FillingInfo> World::filling_info(ClothId id) const {
+    return impl_->read("filling_info", [&] {
+        return with_cloth(impl_->simulation, id,
+                          [](const Cloth& cloth) { return Result<FillingInfo>(cloth.filling_info()); });
+    });
+}
+
 }  // namespace weft

@@ -9,6 +9,7 @@
 #include "cloth/record/world_calls.h"
 #include "cloth/simulation/sewn.h"
 #include "engine/error_text.h"
+#include "engine/memory/hooks.h"
 
 namespace weft {
 
@@ -117,7 +118,12 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
             if (!sources) return sources.error();
             if (auto valid = validate_neighbours(*model, cloth.settings); !valid) return valid.error();
             const ClothInfo info = model->info;
-            auto next = std::make_unique<Cloth>(std::move(model).value(), cloth.settings);
+            ClothSettings settings = cloth.settings;
+            const std::uint32_t open_edges = info.border_edges + info.misoriented_edges;
+            const bool bursts = settings.filling.kind != FillingKind::none && open_edges > 0;
+            if (bursts) settings.filling = {};
+            if (auto valid = validate_filling(*model, settings); !valid) return valid.error();
+            auto next = std::make_unique<Cloth>(std::move(model).value(), settings);
             next->take_maps(cloth, *sources);
             next->take_seams(next->make_seams(std::vector(cloth.seams)));
             std::vector<std::pair<SeamId, SeamState>> seams;
@@ -132,6 +138,8 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
             sewn.give_to(simulation);
             for (auto& [seam, state] : seams) *simulation.state.seams.find(seam) = std::move(state);
             log_repairs(info);
+            if (bursts)
+                log_line(LogLevel::warning, "a cloth has burst: its mesh has %u open edges", open_edges);
             return {};
         });
     });

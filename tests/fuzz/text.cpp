@@ -109,6 +109,9 @@ static std::string text_of(const SelfCollision& s) {
     return braced("SelfCollision", {text_of(s.method), text_of(s.distance), text_of(s.friction),
                                     text_of(s.restitution), text_of(s.layers), text_of(s.mask)});
 }
+static std::string text_of(const Filling& f) {
+    return braced("Filling", {text_of(f.kind), text_of(f.pressure), text_of(f.volume), text_of(f.outside)});
+}
 std::string text_of(const ClothSettings& s) {
     return braced("ClothSettings", {text_of(s.fabric),
                                     text_of(s.finite_elements),
@@ -132,7 +135,8 @@ std::string text_of(const ClothSettings& s) {
                                     text_of(s.teleport_distance),
                                     text_of(s.teleport_angle),
                                     text_of(s.gravity_scale),
-                                    text_of(s.wind_scale)});
+                                    text_of(s.wind_scale),
+                                    text_of(s.filling)});
 }
 
 static std::string text_of(const AirSource& a) {

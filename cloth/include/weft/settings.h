@@ -9,6 +9,7 @@
 #include "weft/error.h"
 #include "weft/executor.h"
 #include "weft/export.h"
+#include "weft/filling.h"
 #include "weft/methods.h"
 #include "weft/self_collision.h"
 #include "weft/types.h"
@@ -130,6 +131,9 @@ struct ClothSettings {
     /// Factor of the air's velocity for this cloth, 0 to 10: wind, gusts and sources. The air's force grows
     /// with the square of the velocity. 0: the air stands still for it, and slows it down.
     float wind_scale = 1;
+    /// What fills a closed mesh. The default, nothing, has no cost. A mesh that is not closed is refused. A
+    /// cut that opens it (World::recut_cloth) bursts the cloth: the filling becomes FillingKind::none.
+    Filling filling{};
 };
 
 /// Kinds of air sources.

@@ -27,6 +27,7 @@
 #include "weft/error.h"
 #include "weft/executor.h"
 #include "weft/fabrics.h"
+#include "weft/filling.h"
 #include "weft/fixed_step.h"
 #include "weft/hooks.h"
 #include "weft/maps.h"

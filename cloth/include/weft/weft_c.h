@@ -137,6 +137,7 @@ WEFT_API WeftResult weft_world_set_enabled(WeftWorld* world, WeftClothId id, Wef
 WEFT_API WeftResult weft_world_is_asleep(const WeftWorld* world, WeftClothId id, WeftBool* asleep);
 WEFT_API WeftResult weft_world_wake(WeftWorld* world, WeftClothId id);
 WEFT_API WeftResult weft_world_set_importance(WeftWorld* world, WeftClothId id, float importance);
+WEFT_API WeftResult weft_world_filling_info(const WeftWorld* world, WeftClothId id, WeftFillingInfo* info);
 WEFT_API WeftResult weft_world_cloth_info(const WeftWorld* world, WeftClothId id, WeftClothInfo* info);
 WEFT_API WeftResult weft_world_cloth(const WeftWorld* world, WeftClothId id, WeftClothView* view);
 WEFT_API WeftResult weft_world_write_vertices(const WeftWorld* world, WeftClothId id,

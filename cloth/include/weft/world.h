@@ -111,7 +111,12 @@ class WEFT_API World {
     /// and earlier saves cannot be restored. Errors: as add_cloth(); another length of `from` than the mesh
     /// has vertices, a vertex in it that the cloth does not have, vertices of one particle that come from
     /// several.
+    ///
+    /// A cloth with a filling bursts if its new mesh is not closed: ClothSettings::filling becomes
+    /// FillingKind::none, a warning is logged, and filling_info() counts the open edges.
     Result<void> recut_cloth(ClothId id, const Mesh& mesh, std::span<const std::uint32_t> from);
+    /// Volume and pressure of a cloth now. Takes some 10 ns a triangle.
+    [[nodiscard]] Result<FillingInfo> filling_info(ClothId id) const;
     /// Writes the edges that are longer than at rest by more than this fraction, the most strained first, as
     /// many as there is room for. A sheet's edges are those along its threads. Returns how many were written.
     /// Error: a strain that is not a number from -1.

@@ -18,6 +18,13 @@ void log_repairs(const ClothInfo& info) noexcept {
          "triangles are slivers, and less stiff than the fabric: see CookReport::softened");
     tell(LogLevel::warning, info.misoriented_edges, "edges have triangles that are wound against each other");
     tell(LogLevel::warning, info.loose_particles, "particles are of no triangle");
+    constexpr float coarsest = 1;  // [m]: cloth in millimetres has edges of 2 and more
+    if (info.mean_edge > coarsest)
+        log_line(LogLevel::warning,
+                 "mesh: its edges are %g m long in the mean, and cloth bends in centimetres; is it in "
+                 "millimetres? "
+                 "Coordinates are in metres",
+                 static_cast<double>(info.mean_edge));
 }
 
 }  // namespace weft

@@ -49,7 +49,8 @@ bool usable(float coordinate) {
 template <class Point>
 Error unusable_point(const char* array, std::size_t vertex, const Point& value) {
     return invalid_mesh("Mesh::" + std::string(array) + "[" + text(vertex) + "] is " + text(value) +
-                        "; every coordinate must be finite and within " + text(runaway_distance) + " m of 0");
+                        "; every coordinate must be finite and within " + text(runaway_distance) +
+                        " m of 0; coordinates are in metres, not in millimetres");
 }
 
 Error wrong_size(const char* array, std::size_t size, std::size_t vertices) {

@@ -28,8 +28,8 @@ class MultilevelSolver final : public Solver {
     void lay_out(Scratch& scratch, std::size_t pairs) override;
     SolveResult solve(const SolverStep& step) override;
 
-    /// The cloth as a member of a group, with the levels that it has in common with what is sewn to it, or its
-    /// own. The step must outlive it.
+    /// The cloth as a member of a group, with the levels that it has in common with what is sewn to it, or
+    /// its own. The step must outlive it.
     [[nodiscard]] PassMember member(const SolverStep& step, const CommonLevels& sewn) noexcept;
 
     /// gamma f - M (v - v_base) at the velocities that were solved for, without contact, which gave the

@@ -9,6 +9,7 @@
 #include "cloth/bodies/body_coupling.h"
 #include "cloth/equation/pair_rows.h"
 #include "cloth/equation/sparse/vectors.h"
+#include "cloth/solver/passes/along_fillings.h"
 #include "cloth/solver/passes/along_seams.h"
 
 namespace weft {
@@ -130,6 +131,7 @@ class Passes {
     Parallel& parallel_;
     PairRows* pairs_;  // null: no features touch
     BodyCoupling* bodies_;
+    Vec4 frame_{};     // velocity that `motion` is relative to
     int passes_ = 0;   // passes taken so far
     double left_ = 0;  // energy that the last pass found beyond its first two directions [J]
 };
@@ -163,6 +165,7 @@ SolveResult Passes::operator()() {
         if (!minimise(false)) return {.ok = false};
     }
     keep_momentum();
+    for_each_member(follow_filling);
     let_bodies_follow();
     const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
     return {.unsolved = left_ > tolerated, .is_rough = left_ > rough * ends.energy};
@@ -197,7 +200,8 @@ double Passes::tolerated_energy(const Multilevel& method) const {
 }
 
 void Passes::begin() {
-    const FourRows frame = load(frame_velocity()).array().replicate<1, 4>();
+    frame_ = frame_velocity();
+    const FourRows frame = load(frame_).array().replicate<1, 4>();
     for_each_member([&](const PassMember& member, Parallel& threads) {
         const StepEquation& equation = member.step.equation;
         copy(threads, equation.velocities, member.step.velocities);
@@ -249,6 +253,7 @@ void Passes::linearise() {
     else
         let_bodies_follow();
     for_each_member([&](const PassMember& member, Parallel& threads) {
+        if (is_first) linearise_filling(member, threads);
         member.system.linearise(threads, member.step.equation, member.step.velocities,
                                 LinearisedAbout::iterate);
     });
@@ -258,6 +263,7 @@ void Passes::linearise() {
             const auto levels_timer = member.step.timed(Stage::coarse_operators);
             member.levels.build(threads);
         });
+    for (const PassMember& member : members_) find_response(members_, member, frame_, !is_first);
     eliminate_bodies();
 }
 
@@ -353,14 +359,16 @@ void Passes::find_corrections() {
         const auto timer = member.step.timed(Stage::cycles);
         member.levels.cycle(threads);
     });
+    for (const PassMember& member : members_) relieve(member, parallel_, member.vectors.correction.span());
 }
 
 template <class With>
 Products Passes::multiply(Vector x, Vector product, const With& with) {
     for_each_member([&](const PassMember& member, Parallel& threads) {
-        member.vectors.products = member.system.multiply_coupled(
-            threads, with(member), std::as_const(member.vectors.*x).span(),
-            product != nullptr ? (member.vectors.*product).span() : std::span<Vec4>());
+        const std::span<const Vec4> of = std::as_const(member.vectors.*x).span();
+        const std::span<Vec4> to = product != nullptr ? (member.vectors.*product).span() : std::span<Vec4>();
+        member.vectors.products = member.system.multiply_coupled(threads, with(member), of, to);
+        member.vectors.products.x_wx += multiply_filling(member, threads, of, to);
     });
     Products sum;
     for (const PassMember& member : members_) sum = sum + member.vectors.products;
@@ -409,6 +417,7 @@ void Passes::move(const Coefficients& c) {
                                store_four(load_four(v + i) + more, v + i);
                            }
                        });
+        follow_filling(member, threads);
     });
 }
 

@@ -90,6 +90,9 @@ std::vector<Knob> knobs() {
         {"ClothSettings::importance", 0, 1e6f, [](S& s) -> float& { return s.cloth.importance; }},
         {"ClothSettings::gravity_scale", -10, 10, [](S& s) -> float& { return s.cloth.gravity_scale; }},
         {"ClothSettings::wind_scale", 0, 10, [](S& s) -> float& { return s.cloth.wind_scale; }},
+        {"Filling::pressure", -1e5f, 1e7f, [](S& s) -> float& { return s.cloth.filling.pressure; }},
+        {"Filling::volume", 1e-12f, 1e9f, [](S& s) -> float& { return s.cloth.filling.volume; }},
+        {"Filling::outside", 0, 1e7f, [](S& s) -> float& { return s.cloth.filling.outside; }},
         {"ClothSettings::teleport_distance", 0, 1e6f,
          [](S& s) -> float& { return s.cloth.teleport_distance; }},
         {"ClothSettings::teleport_angle", 0, 3.2f, [](S& s) -> float& { return s.cloth.teleport_angle; }},
@@ -288,6 +291,8 @@ TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {
          [](ClothSettings& s) { s.self_collision.method = static_cast<SelfCollisionMethod>(7); }},
         {"ClothSettings::collider_response is 9", "ColliderResponse::velocity_filter",
          [](ClothSettings& s) { s.collider_response = static_cast<ColliderResponse>(9); }},
+        {"Filling::kind is 9", "FillingKind::volume",
+         [](ClothSettings& s) { s.filling.kind = static_cast<FillingKind>(9); }},
         {"SelfCollision::restitution is 1.5", "from 0 to 1",
          [](ClothSettings& s) { s.self_collision.restitution = 1.5f; }},
     };

@@ -210,5 +210,40 @@ TEST(Hooks, TheLogSaysWhatWasDoneToAMesh) {
     EXPECT_TRUE(host.lines.empty()) << "nothing to say of a whole mesh";
 }
 
+TEST(Hooks, TheLogAsksForMetresWhereAMeshMayBeInMillimetres) {
+    Host host(false);
+    World world = serial_world();
+    for (const float scale : {1.0f, 1000.0f}) {
+        host.lines.clear();
+        Mesh mesh = small_sheet();
+        for (Vec3& x : mesh.positions) x = {scale * x.x, scale * x.y, scale * x.z};
+        ASSERT_TRUE(world.add_cloth(mesh));
+        const auto asks = std::ranges::count_if(host.lines, [](const std::string& line) {
+            return line.find("millimetres") != std::string::npos;
+        });
+        EXPECT_EQ(asks, scale > 1 ? 1 : 0);
+    }
+    Mesh far = small_sheet();
+    far.positions[0].x = 2e5f;
+    EXPECT_NE(world.add_cloth(far).error().message.find("not in millimetres"), std::string::npos);
+}
+
+TEST(Hooks, TheLogSaysThatAClothLiesOnAnother) {
+    Host host(false);
+    World world = serial_world();
+    ClothSettings settings;
+    settings.self_collision.method = SelfCollisionMethod::contact;
+    const ClothId first = world.add_cloth(small_sheet(), settings).value();
+    ASSERT_TRUE(world.add_cloth(small_sheet()));
+    EXPECT_TRUE(host.lines.empty()) << "cloth without contact may lie anywhere";
+    const ClothId second = world.add_cloth(small_sheet(), settings).value();
+    ASSERT_EQ(host.lines.size(), 1u);
+    EXPECT_NE(host.lines[0].find("lie exactly on those of cloth"), std::string::npos) << host.lines[0];
+    for (int k = 0; k < 60; ++k) world.step(h);
+    const ClothView a = *world.cloth(first), b = *world.cloth(second);
+    for (std::size_t i = 0; i < a.positions.size(); ++i)
+        EXPECT_GT((xyz(a.positions[i]) - xyz(b.positions[i])).norm(), 1e-3f) << "they part";
+}
+
 }  // namespace
 }  // namespace weft::test::hooked

@@ -29,7 +29,8 @@ constexpr int lines_of() {
 [[maybe_unused]] void count_fields(Fabric& a, FiniteElements& b, Tethers& c, FrameInertia& d,
                                    SelfCollision& e, ClothSettings& f, AirSource& g, AirShelter& r, Wind& h,
                                    WorldSettings& i, BodySettings& j, BodyState& k, ClothReport& l,
-                                   StepReport& m, ClothInfo& n, ShapeInfo& o, SeamSettings& p, SeamInfo& q) {
+                                   StepReport& m, ClothInfo& n, ShapeInfo& o, SeamSettings& p, SeamInfo& q,
+                                   Filling& s, FillingInfo& t) {
     [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7, a8] = a;
     static_assert(lines_of<Fabric>() == 8);
     [[maybe_unused]] auto& [b1, b2, b3, b4] = b;
@@ -41,8 +42,8 @@ constexpr int lines_of() {
     [[maybe_unused]] auto& [e1, e2, e3, e4, e5, e6] = e;
     static_assert(lines_of<SelfCollision>() == 6);
     [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18,
-                            f19, f20, f21] = f;
-    static_assert(lines_of<ClothSettings>() == 21);
+                            f19, f20, f21, f22] = f;
+    static_assert(lines_of<ClothSettings>() == 22);
     [[maybe_unused]] auto& [g1, g2, g3, g4] = g;
     static_assert(lines_of<AirSource>() == 4);
     [[maybe_unused]] auto& [r1, r2, r3, r4, r5, r6, r7] = r;
@@ -70,6 +71,10 @@ constexpr int lines_of() {
     static_assert(lines_of<SeamSettings>() == 3);
     [[maybe_unused]] auto& [q1, q2, q3, q4, q5, q6] = q;
     static_assert(lines_of<SeamInfo>() == 6);
+    [[maybe_unused]] auto& [s1, s2, s3, s4] = s;
+    static_assert(lines_of<Filling>() == 4);
+    [[maybe_unused]] auto& [t1, t2, t3, t4] = t;
+    static_assert(lines_of<FillingInfo>() == 4);
 }
 
 /// Calls act(number) for each number that a value holds, in order.
@@ -194,6 +199,7 @@ TEST(FieldsForC, AreSeenOfAllThatAHostReads) {
     expect_one_way<WeftClothInfo>(ClothInfo{});
     expect_one_way<WeftShapeInfo>(ShapeInfo{});
     expect_one_way<WeftSeamInfo>(SeamInfo{});
+    expect_one_way<WeftFillingInfo>(FillingInfo{});
 }
 
 TEST(FieldsForC, RefuseWhatIsNoEnumerator) {
@@ -269,6 +275,8 @@ static_assert(is(WEFT_MAP_MASS, Map::mass) && is(WEFT_MAP_PIN, Map::pin) && is(W
               is(WEFT_MAP_STIFFNESS, Map::stiffness));
 static_assert(is(WEFT_AIR_NONE, AirSourceKind::none) && is(WEFT_AIR_JET, AirSourceKind::jet) &&
               is(WEFT_AIR_BLAST, AirSourceKind::blast) && is(WEFT_AIR_WAKE, AirSourceKind::wake));
+static_assert(is(WEFT_FILLING_NONE, FillingKind::none) && is(WEFT_FILLING_PRESSURE, FillingKind::pressure) &&
+              is(WEFT_FILLING_GAS, FillingKind::gas) && is(WEFT_FILLING_VOLUME, FillingKind::volume));
 static_assert(is(WEFT_SHELTER_NONE, AirShelterKind::none) && is(WEFT_SHELTER_BALL, AirShelterKind::ball) &&
               is(WEFT_SHELTER_BOX, AirShelterKind::box));
 static_assert(is(WEFT_LOG_NOTE, LogLevel::note) && is(WEFT_LOG_WARNING, LogLevel::warning));

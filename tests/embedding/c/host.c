@@ -326,6 +326,18 @@ static void seams(WeftWorld* world, WeftClothId cloth) {
     REFUSES(WEFT_STALE_ID, "SeamId", weft_world_unstitch(world, seam));
 }
 
+static void fillings(WeftWorld* world, WeftClothId cloth) {
+    WeftFillingInfo info = {.struct_size = sizeof info};
+    WeftClothSettings settings;
+
+    TAKES(weft_world_filling_info(world, cloth, &info));
+    CHECK(info.open_edges > 0 && info.volume == 0 && info.pressure == 0);
+    weft_cloth_settings_init(&settings, sizeof settings);
+    CHECK(settings.filling.kind == WEFT_FILLING_NONE && settings.filling.outside == 101325);
+    settings.filling.kind = WEFT_FILLING_VOLUME;
+    REFUSES(WEFT_INVALID_ARGUMENT, "open edges", weft_world_set_cloth_settings(world, cloth, &settings));
+}
+
 static void solids(WeftWorld* world, WeftClothId other) {
     static const WeftVec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
     static const uint32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -428,6 +440,7 @@ uint64_t hash_of_host_in_c(const char* folder) {
     air(world);
     solids(world, other);
     seams(world, other);
+    fillings(world, other);
     weft_mesh_destroy(mesh);
     weft_cooked_cloth_destroy(cooked);
     for (i = 0; i < steps; ++i) TAKES(weft_world_step(world, 1.0f / 60));

@@ -108,7 +108,9 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.importance,
                              &s.teleport_distance,
                              &s.teleport_angle,
-                             &s.wind_scale};
+                             &s.wind_scale,
+                             &s.filling.volume,
+                             &s.filling.outside};
     const std::uint32_t choice = random.below(std::size(fields) + 4);
     if (choice < std::size(fields)) {
         *fields[choice] = bad;

@@ -136,6 +136,13 @@ typedef struct WeftClothReport {
     float milliseconds;
 } WeftClothReport;
 
+// weft/filling.h
+typedef struct WeftFillingInfo {
+    uint32_t struct_size;
+    uint32_t open_edges;
+    float volume, rest_volume, pressure;
+} WeftFillingInfo;
+
 // weft/seam.h
 typedef struct WeftSeamInfo {
     uint32_t struct_size;

@@ -79,6 +79,13 @@ enum { WEFT_TIME_OF_METHOD, WEFT_TIME_BACKWARD_EULER, WEFT_TIME_BDF2 };
 // weft/collider.h: ColliderResponse
 enum { WEFT_RESPONSE_CONTACT, WEFT_RESPONSE_VELOCITY_FILTER };
 
+// weft/filling.h
+enum { WEFT_FILLING_NONE, WEFT_FILLING_PRESSURE, WEFT_FILLING_GAS, WEFT_FILLING_VOLUME };
+typedef struct WeftFilling {
+    int32_t kind;  // WEFT_FILLING_...
+    float pressure, volume, outside;
+} WeftFilling;
+
 // weft/settings.h: ClothSettings
 typedef struct WeftClothSettings {
     uint32_t struct_size;
@@ -99,6 +106,7 @@ typedef struct WeftClothSettings {
     float importance;
     float teleport_distance, teleport_angle;
     float gravity_scale, wind_scale;
+    WeftFilling filling;
 } WeftClothSettings;
 
 // weft/settings.h: AirSource
