@@ -157,7 +157,9 @@ TEST(Filling, FreeFlightKeepsMomentumAndGainsNoEnergy) {
         }
         EXPECT_LT((flying.momentum() - p).norm(), 1e-4 * scale) << static_cast<int>(kind);
         EXPECT_LT(most, 1.01 * before) << static_cast<int>(kind);
-        if (kind == FillingKind::volume) EXPECT_NEAR(flying.error(), 0, 1e-3);
+        if (kind == FillingKind::volume) {
+            EXPECT_NEAR(flying.error(), 0, 1e-3);
+        }
     }
 }
 
@@ -273,7 +275,9 @@ TEST(Filling, HasNoHistory) {
         const ClothSettings settings = filled({.kind = FillingKind::gas, .pressure = 1000});
         Filled one(ball({0, 0.3f, 0}), is_late ? filled(water, 900) : settings, of_world);
         EXPECT_TRUE(one.world.add_collider({.shape = Plane{}}));
-        if (is_late) EXPECT_TRUE(one.world.set_cloth_settings(one.id, settings));
+        if (is_late) {
+            EXPECT_TRUE(one.world.set_cloth_settings(one.id, settings));
+        }
         one.run(20);
         if (is_restored) {
             std::vector<std::byte> saved(one.world.save_size());
