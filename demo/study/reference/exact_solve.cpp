@@ -53,7 +53,6 @@ bool ExactSolve::factorise(const Sparse& matrix, const Eigen::VectorXd& b, Eigen
 
 MultigridCycle::MultigridCycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions)
     : parallel_(parallel),
-      system_(system),
       multigrid_(parallel, system, positions),
       r_(positions.size()),
       z_(positions.size()) {
@@ -70,7 +69,7 @@ void MultigridCycle::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) {
         const Eigen::Vector3d r_i = r.segment<3>(3 * static_cast<Eigen::Index>(i)) / scale;
         r_[i] = to_vec4(r_i.cast<float>(), 0);
     }
-    multigrid_.cycle(parallel_, system_, std::as_const(r_).span(), z_.span());
+    multigrid_.cycle(parallel_, std::as_const(r_).span(), z_.span());
     for (std::size_t i = 0; i < z_.size(); ++i)
         z.segment<3>(3 * static_cast<Eigen::Index>(i)) = scale * xyz(z_[i]).cast<double>();
 }

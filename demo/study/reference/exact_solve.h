@@ -40,16 +40,15 @@ class ExactSolve {
 /// gain of one cycle, not the accuracy of the iteration around it.
 class MultigridCycle {
   public:
-    /// Precondition: `system` is linearised. Every call of apply() uses it.
+    /// Precondition: `system` is linearised. It must outlive the cycle.
     MultigridCycle(Parallel& parallel, ImplicitSystem& system, std::span<const Vec4> positions);
 
     /// Call this whenever the system has been linearised anew.
-    void rebuild() { multigrid_.build(parallel_, system_); }
+    void rebuild() { multigrid_.build(parallel_); }
     void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z);
 
   private:
     Parallel& parallel_;
-    ImplicitSystem& system_;
     Multigrid multigrid_;
     AlignedBuffer<Vec4> r_, z_;
 };

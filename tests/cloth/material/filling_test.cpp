@@ -3,14 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <Eigen/Geometry>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/cloth/fixtures.h"
+#include "tests/cloth/material/sewn_strips.h"
 #include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
@@ -309,6 +314,42 @@ TEST(Filling, BallsThatTouchKeepTheirVolumes) {
             EXPECT_NEAR(info.volume, info.rest_volume, 1e-3f * info.rest_volume) << k;
         }
     }
+}
+
+// Two balls of water hang from a strip, one below the other, each by four stitches at its top.
+TEST(Filling, KeepsItsVolumeWhereItIsSewnToOtherCloth) {
+    World world = World::create(vacuum(downwards)).value();
+    const ClothId strip = world.add_cloth(sewn::strip(0.2f, -0.5f * sewn::width), sewn::damped()).value();
+    EXPECT_TRUE(world.pin(strip, sewn::top));
+    ClothSettings settings = filled(water);
+    settings.air_damping = 3;
+    constexpr float length = 0.02f;
+    const Mesh first = ball({0, -0.2f - radius - length, 0}),
+               second = ball({0, -0.2f - 3 * radius - 2 * length, 0});
+    const ClothId upper = world.add_cloth(first, settings).value(),
+                  lower = world.add_cloth(second, settings).value();
+    const auto four = [&](bool highest) {
+        std::vector<std::uint32_t> vertices(first.positions.size());
+        std::iota(vertices.begin(), vertices.end(), 0u);
+        std::ranges::stable_sort(vertices, {}, [&](std::uint32_t i) {
+            return highest ? -first.positions[i].y : first.positions[i].y;
+        });
+        vertices.resize(4);
+        return vertices;
+    };
+    const SeamId above =
+        world.stitch(strip, std::span(sewn::bottom).subspan(1, 4), upper, four(true), {.rest_length = length})
+            .value();
+    ASSERT_TRUE(world.stitch(upper, four(false), lower, four(true), {.rest_length = length}));
+    for (int k = 0; k < 300; ++k) {
+        ASSERT_FALSE(has(world.step(h).flags, StepFlags::state_restored));
+        for (const ClothId id : {upper, lower}) {
+            const FillingInfo info = world.filling_info(id).value();
+            ASSERT_NEAR(info.volume / info.rest_volume, 1, 1e-3f) << k;
+        }
+    }
+    const float weight = 9.81f * (world.cloth_info(upper)->mass + world.cloth_info(lower)->mass);
+    EXPECT_NEAR(world.seam_info(above)->force.y, -weight, 0.03f * weight);
 }
 
 }  // namespace

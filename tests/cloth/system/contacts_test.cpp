@@ -191,10 +191,10 @@ TEST(Contacts, HoldCoarseNodesByTheirShareOfParticles) {
     };
     linearise(equation_of(lying.cloth, h));
     Multigrid without(serial, *system, lying.cloth.state.positions.span());
-    without.build(serial, *system);
+    without.build(serial);
     Multigrid with(serial, *system, lying.cloth.state.positions.span());
     linearise(lying.equation());
-    with.build(serial, *system);
+    with.build(serial);
     const ContactRows& rows = lying.contacts.rows();
     const Interpolation& p = with.level(0).interpolation();
     double held = 0;
@@ -211,7 +211,7 @@ TEST(Contacts, HoldCoarseNodesByTheirShareOfParticles) {
     EXPECT_GT(held, 0);
     // And they let go of them again.
     linearise(equation_of(lying.cloth, h));
-    with.build(serial, *system);
+    with.build(serial);
     for (std::uint32_t c = 0; c < p.coarse; ++c)
         EXPECT_EQ(with.level(0).matrix().ground_rows[c].full(),
                   without.level(0).matrix().ground_rows[c].full());
