@@ -17,8 +17,8 @@ constexpr float rounding_per_coordinate = 1e-7f;
 // A surface stands on another if it rises from the other's plane by this fraction of its edges' length.
 constexpr float least_rise = 0.1f;
 
-// Surfaces lie side by side, as along a cut, if their rings are this fraction of their edges' length apart.
-constexpr float beside = 0.5f;
+// At a border the ring lies off the surface's place by this fraction of its edges' length.
+constexpr float least_ring = 0.25f;
 
 // A mean normal shorter than this is noise: triangles that face opposite ways cancel, as along a fold.
 constexpr float least_normal = 0.1f;
@@ -29,6 +29,10 @@ struct Side {
     Vector3 ring = Vector3::Zero();    ///< to the mean of the neighbouring corners [m]
     float length = 0;                  ///< mean length of the edges [m]
 };
+
+bool is_border(const Side& side) {
+    return side.ring.norm() > least_ring * side.length;
+}
 
 class TouchingPairs {
   public:
@@ -61,7 +65,7 @@ class TouchingPairs {
         both = a.normal.dot(b.normal) < 0;
         if (both) return (a.normal - b.normal).stableNormalized();
         if (&body_of(pair.corners[0]) == &body_of(pair.corners[3])) {
-            both = rise.norm() > beside * std::max(a.length, b.length);
+            both = is_border(a) && is_border(b) && a.ring.dot(b.ring) < 0;
             return both ? rise.stableNormalized() : Vector3::Zero();
         }
         const Vector3 front = (a.normal + b.normal).stableNormalized();
