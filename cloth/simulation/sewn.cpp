@@ -109,6 +109,11 @@ Sewn sew(Simulation& world, ClothId cloth, const SewnChange& change) {
     return sewn;
 }
 
+// A cloth knows its id only after its first step; its seams know it from the start.
+Sewn sew_again(Simulation& world, const Cloth& cloth, const SewnChange& change) {
+    return sew(world, world.state.seams.find(cloth.seams.front()->id())->cloths.front(), change);
+}
+
 std::vector<Sewn> sew_after(Simulation& world, const SewnChange& change) {
     std::vector<Sewn> all;
     for (const SeamId seam : change.removed)

@@ -30,6 +30,8 @@ struct Sewn {
     void give_to(Simulation& world) const noexcept;
 };
 [[nodiscard]] Sewn sew(Simulation& world, ClothId cloth, const SewnChange& change = {});
+/// sew() for a cloth that has levels in common, and whose settings or model change.
+[[nodiscard]] Sewn sew_again(Simulation& world, const Cloth& cloth, const SewnChange& change = {});
 /// sew() for all cloths that these seams join. Each cloth is in one of the results.
 [[nodiscard]] std::vector<Sewn> sew_after(Simulation& world, const SewnChange& change);
 

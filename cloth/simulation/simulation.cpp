@@ -169,9 +169,7 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
         [&] {
             if (has_features(of)) cloth.make_contact_mesh();
             cloth.apply(changed, [&](std::size_t bytes) {
-                if (has_other_levels)
-                    sewn = sew(*this, state.seams.find(cloth.seams.front()->id())->cloths.front(),
-                               {.other = {&cloth, &changed}});
+                if (has_other_levels) sewn = sew_again(*this, cloth, {.other = {&cloth, &changed}});
                 const Newcomer newcomer{&cloth, bytes, of, cloth.contact_mesh.get(), !cloth.seams.empty()};
                 room = make_room({&newcomer, 1}, parallel.width());
             });
@@ -183,12 +181,15 @@ void Simulation::apply(Cloth& cloth, const ClothSettings& changed) {
 
 void Simulation::set_map(Cloth& cloth, Map map, AlignedBuffer<float>&& values) {
     Room room;
+    Sewn sewn;
     cloth.set_map(map, std::move(values), [&](std::size_t bytes) {
+        if (cloth.sewn.levels) sewn = sew_again(*this, cloth);
         const Newcomer newcomer{&cloth, bytes, cloth.settings.self_collision, cloth.contact_mesh.get(),
                                 !cloth.seams.empty()};
         room = make_room({&newcomer, 1}, parallel.width());
     });
     take(std::move(room));
+    sewn.give_to(*this);
 }
 
 // Cloths that may touch, are joined or share a body may all be one group. Of the others each thread has one

@@ -160,6 +160,28 @@ TEST(SewnLevels, FollowTheirClothsSettings) {
     }
 }
 
+TEST(SewnLevels, FollowTheirClothsMaps) {
+    for (const Map map : {Map::mass, Map::stiffness}) {
+        Chain before(Chain::Kind::cloths, 1, 3), after(Chain::Kind::cloths, 1, 3);
+        std::vector<float> values(side * side);
+        for (std::uint32_t i = 0; i < side * side; ++i)
+            values[i] = 0.3f + 0.02f * static_cast<float>(i % side);
+        for (Chain* chain : {&before, &after}) {
+            World& world = chain->world;
+            chain->ids.push_back(world.add_cloth(sheet_number(1)).value());
+            if (chain == &before) {
+                ASSERT_TRUE(world.set_map(chain->ids[1], map, values));
+            }
+            ASSERT_TRUE(world.stitch(chain->ids[0], line(side - 1), chain->ids[1], line(0)));
+            if (chain == &after) {
+                ASSERT_TRUE(world.set_map(chain->ids[1], map, values));
+            }
+            chain->run(12);
+        }
+        EXPECT_EQ(farthest(before.places(), after.places()), 0) << static_cast<int>(map);
+    }
+}
+
 // Pins come after the seam: at it, or in the row beside it.
 TEST(SewnLevels, SeePinsThatComeLater) {
     for (const std::uint32_t pinned : {side - 1, side - 2}) {
