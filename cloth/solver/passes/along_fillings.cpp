@@ -40,12 +40,7 @@ void find_response(std::span<const PassMember> members, const PassMember& member
     filling->set_response(threads);
     filling->find_pressure(threads, member.system.right_side().span());
     PassVectors& of = member.vectors;
-    const StepEquation& equation = member.step.equation;
-    const std::span<const Vec4> velocities = member.step.velocities;
-    threads.ranges(static_cast<std::uint32_t>(velocities.size()), [&](const BlockRange& range) {
-        for (std::uint32_t i = range.begin; i < range.end; ++i)
-            of.motion[i] = equation.positions[i].w > 0 ? to_vec4(xyz(velocities[i]) - xyz(frame), 0) : Vec4{};
-    });
+    write_motion(member, threads, frame);
     filling->relieve(threads, of.motion.span());
     if (has_change) filling->relieve(threads, of.change.span());
 }

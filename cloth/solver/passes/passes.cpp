@@ -201,17 +201,9 @@ double Passes::tolerated_energy(const Multilevel& method) const {
 
 void Passes::begin() {
     frame_ = frame_velocity();
-    const FourRows frame = load(frame_).array().replicate<1, 4>();
     for_each_member([&](const PassMember& member, Parallel& threads) {
-        const StepEquation& equation = member.step.equation;
-        copy(threads, equation.velocities, member.step.velocities);
-        fill_fours(threads, member.vectors.motion.span(), [&](std::uint32_t i) -> FourRows {
-            const Eigen::Array<float, 1, 4> is_free =
-                (load_four(&equation.positions[i]).row(3) != 0).cast<float>();
-            FourRows motion = (load_four(&equation.velocities[i]) - frame).rowwise() * is_free;
-            motion.row(3).setZero();
-            return motion;
-        });
+        copy(threads, member.step.equation.velocities, member.step.velocities);
+        write_motion(member, threads, frame_);
     });
 }
 
@@ -453,6 +445,18 @@ void Passes::keep_momentum() {
     const RigidChange of_touching = is_held ? RigidChange() : RigidChange(touching, first_.equation.gamma);
     for (const PassMember& member : members_)
         member.pieces.move(member.step.equation, of_touching, origin, member.step.velocities);
+}
+
+void write_motion(const PassMember& member, Parallel& threads, const Vec4& frame) {
+    const std::span<const Vec4> positions = member.step.equation.positions;
+    const std::span<const Vec4> velocities = member.step.velocities;
+    const FourRows of_frame = load(frame).array().replicate<1, 4>();
+    fill_fours(threads, member.vectors.motion.span(), [&](std::uint32_t i) -> FourRows {
+        const Eigen::Array<float, 1, 4> is_free = (load_four(&positions[i]).row(3) != 0).cast<float>();
+        FourRows motion = (load_four(&velocities[i]) - of_frame).rowwise() * is_free;
+        motion.row(3).setZero();
+        return motion;
+    });
 }
 
 SolveResult solve_by_passes(std::span<const PassMember> members, std::span<float> residuals) {

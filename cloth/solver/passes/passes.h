@@ -57,6 +57,9 @@ struct PassMember {
     double mass;  ///< [kg]
 };
 
+/// Writes the member's motion: its velocities, relative to the group's frame.
+void write_motion(const PassMember& member, Parallel& threads, const Vec4& frame);
+
 /// Solves the steps of cloths that touch as one equation. Precondition: gamma, pairs, bodies and threads are
 /// the same in all. The first member's settings give the number of passes. Each member's residual is written
 /// to `residuals`, unless these are empty; the result's is the greatest.

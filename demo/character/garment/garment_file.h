@@ -18,8 +18,7 @@ namespace weft::demo {
 /// coordinates in metres are the flat pattern. Maps may stand beside the file (painted_maps.h).
 ///
 /// `unit`: metres in a unit of the file; 0: a garment's size decides. Errors: load_obj's; read_maps';
-/// materials none of which ends in "Free"; a garment of more than 3 m along any axis, or of less than 0.1 m
-/// along the file's z.
+/// materials none of which ends in "Free"; a garment whose longest side is above 3 m or below 0.1 m.
 [[nodiscard]] Result<Garment> read_garment(const std::filesystem::path& file, float unit = 1);
 
 }  // namespace weft::demo
