@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "cloth/air/wind.h"
 #include "cloth/surface/normals.h"
 
 namespace weft {
@@ -29,16 +28,19 @@ void Surface::compute_normals(Parallel& parallel, std::span<const Vec4> position
     weft::compute_normals(parallel, groups_, rows_.span(), normals);
 }
 
-void Surface::compute_air_forces(Parallel& parallel, const InAir& cloth, std::span<Vec4> forces) {
-    if (!cells_.empty()) {
-        weft::compute_air_forces(parallel, cells_, cloth.positions, cloth.velocities, cloth.wind,
-                                 cloth.air_velocities, forces);
-        return;
-    }
-    if (cloth.has_moved || is_behind_) compute_area_normals(parallel, groups_, cloth.positions, rows_.span());
+void Surface::compute_air_forces(Parallel& parallel, const ClothInAir& cloth, bool keeps_normals,
+                                 std::span<Vec4> forces) {
+    if (!cells_.empty()) return weft::compute_air_forces(parallel, cells_, cloth, forces);
+    if (!keeps_normals || is_behind_) compute_area_normals(parallel, groups_, cloth.positions, rows_.span());
     is_behind_ = false;
-    weft::compute_air_forces(parallel, groups_, cloth.velocities, cloth.wind, cloth.air_velocities,
-                             rows_.span(), forces);
+    weft::compute_air_forces(parallel, groups_, cloth, rows_.span(), forces);
+}
+
+void AirForce::linearise(Parallel& parallel, std::span<const Vec4> velocities) const {
+    if (surface == nullptr) return;
+    ClothInAir at = cloth;
+    at.velocities = velocities;
+    surface->compute_air_forces(parallel, at, false, forces);
 }
 
 }  // namespace weft

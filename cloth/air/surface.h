@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "cloth/air/wind.h"
 #include "cloth/mesh/cook.h"
 #include "cloth/surface/grid_cells.h"
 #include "cloth/surface/triangle_groups.h"
@@ -31,18 +32,11 @@ class Surface {
     /// Call this when particles and their normals have changed otherwise than through this object.
     void forget() noexcept { is_behind_ = true; }
 
-    /// The inputs of air forces on a moving cloth.
-    struct InAir {
-        const Wind& wind;
-        std::span<const Vec4> positions, velocities;
-        /// The air's velocity at each particle [m/s]; empty: the mean wind blows everywhere.
-        std::span<const Vec4> air_velocities;
-        /// Whether particles have moved since normals were last computed.
-        bool has_moved = true;
-    };
     /// Computes the air's force on each particle [N], and in w its slope [N s/m]: a third of that on each of
     /// its triangles. The slope is at least the force's largest rate of change with the triangle's velocity.
-    void compute_air_forces(Parallel& parallel, const InAir& cloth, std::span<Vec4> forces);
+    /// `keeps_normals`: these positions' normals were computed last, and no forces since.
+    void compute_air_forces(Parallel& parallel, const ClothInAir& cloth, bool keeps_normals,
+                            std::span<Vec4> forces);
 
     [[nodiscard]] std::size_t bytes() const noexcept {
         return cells_.bytes() + groups_.bytes() + rows_.bytes();
@@ -54,6 +48,16 @@ class Surface {
     /// A row for each triangle: its area normal, until air forces overwrite it.
     AlignedBuffer<Vec4> rows_;
     bool is_behind_ = false;  // rows_ are not of the present positions
+};
+
+/// The air's force in the equation of one cloth.
+struct AirForce {
+    Surface* surface = nullptr;  ///< null: there is no air
+    ClothInAir cloth;            ///< at the velocities at the start of the step
+    std::span<Vec4> forces;      ///< see ExternalForces
+
+    /// Takes the force, as linear about these velocities.
+    void linearise(Parallel& parallel, std::span<const Vec4> velocities) const;
 };
 
 }  // namespace weft

@@ -59,23 +59,36 @@ struct AirOnPlates {
     float drag, lift, to_pressure, to_slope;
 };
 
-void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const Wind& wind,
-                   const Vec4* velocities, std::span<const Vec4> air_velocities, Vec4* triangle_rows) {
-    const AirOnPlates air(wind);
-    const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
+HWY_INLINE Lanes3 mean_wind_on(const ClothInAir& cloth) {
+    const Vector3 wind = cloth.mean_wind();
+    return {set(wind.x()), set(wind.y()), set(wind.z())};
+}
+
+void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const ClothInAir& cloth,
+                   Vec4* triangle_rows) {
+    const AirOnPlates air(*cloth.wind);
+    const Lanes3 mean_wind = mean_wind_on(cloth);
     for (std::uint32_t t = range.begin; t < range.end; t += part_lanes) {
         const Lanes3 normal = unpacked(load_packed(triangle_rows + t));
-        const Lanes4 force =
-            air.thirds(normal, relative_velocities(groups, t, velocities, mean_wind, air_velocities));
+        const Lanes4 force = air.thirds(
+            normal, relative_velocities(groups, t, cloth.velocities.data(), mean_wind, cloth.air_velocities));
         store_packed(packed(xyz(force), force.w), triangle_rows + t);
     }
 }
 
+/// The force on particles from `i` on, on the line with this slope through the force at their velocities, at
+/// the velocities from which it is linear.
+HWY_INLINE Lanes3 linear_from(const ClothInAir& cloth, std::uint32_t i, const Lanes3& force, Lanes slope) {
+    const Lanes3 since = xyz(load_rows(&cloth.velocities[i])) - xyz(load_rows(&cloth.from_velocities[i]));
+    return mul_add(slope, since, force);
+}
+
 void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const GridWindow& window,
-                        const Wind& wind, const Vec4* positions, const Vec4* velocities,
-                        std::span<const Vec4> air_velocities, Vec4* forces) {
-    const AirOnPlates air(wind);
-    const Lanes3 mean_wind = {set(wind.velocity.x), set(wind.velocity.y), set(wind.velocity.z)};
+                        const ClothInAir& cloth, Vec4* forces) {
+    const AirOnPlates air(*cloth.wind);
+    const Lanes3 mean_wind = mean_wind_on(cloth);
+    const Vec4 *const positions = cloth.positions.data(), *const velocities = cloth.velocities.data();
+    const std::span<const Vec4> air_velocities = cloth.air_velocities;
     CellLoop<2, 4> loop(cells, tile, window);
     for (std::uint32_t i = loop.first(); i < tile.end; i += part_lanes, loop.go_on()) {
         loop.read_ahead([&](std::uint32_t j) HWY_ATTR {
@@ -91,14 +104,17 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const Gr
         const Lanes4 right = air.thirds(right_normal, u.far_right + u.near_right + cell.third_of_right(u));
         const auto [x, y, z, slope] = loop.sums({cell.shares(left.x, right.x), cell.shares(left.y, right.y),
                                                  cell.shares(left.z, right.z), cell.shares(left.w, right.w)});
-        if (i >= tile.begin) store_rows({x, y, z}, slope, forces + i);
+        if (i >= tile.begin) store_rows(linear_from(cloth, i, {x, y, z}, slope), slope, forces + i);
     }
 }
 
-void sums_of(const TriangleGroups& groups, const BlockRange& range, const Vec4* triangle_rows,
-             Vec4* particle_rows) {
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes)
+void sums_of(const TriangleGroups& groups, const BlockRange& range, const ClothInAir& cloth,
+             const Vec4* triangle_rows, Vec4* particle_rows) {
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
         store_packed(sum_over_triangles(groups, i, triangle_rows), particle_rows + i);
+        const Lanes4 sum = load_rows(particle_rows + i);
+        store_rows(linear_from(cloth, i, xyz(sum), sum.w), sum.w, particle_rows + i);
+    }
 }
 
 }  // namespace
@@ -112,26 +128,22 @@ HWY_EXPORT(air_forces_of);
 HWY_EXPORT(air_forces_of_grid);
 HWY_EXPORT(sums_of);
 
-void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, std::span<const Vec4> velocities,
-                        const Wind& wind, std::span<const Vec4> air_velocities, std::span<Vec4> triangle_rows,
-                        std::span<Vec4> particle_forces) {
+void compute_air_forces(Parallel& parallel, const TriangleGroups& groups, const ClothInAir& cloth,
+                        std::span<Vec4> triangle_rows, std::span<Vec4> particle_forces) {
     parallel.ranges(groups.rows, [&](const BlockRange& range) {
-        HWY_DYNAMIC_DISPATCH(air_forces_of)
-        (groups, range, wind, velocities.data(), air_velocities, triangle_rows.data());
+        HWY_DYNAMIC_DISPATCH(air_forces_of)(groups, range, cloth, triangle_rows.data());
     });
     parallel.ranges(groups.particles, [&](const BlockRange& range) {
-        HWY_DYNAMIC_DISPATCH(sums_of)(groups, range, triangle_rows.data(), particle_forces.data());
+        HWY_DYNAMIC_DISPATCH(sums_of)(groups, range, cloth, triangle_rows.data(), particle_forces.data());
     });
 }
 
-void compute_air_forces(Parallel& parallel, GridCells& cells, std::span<const Vec4> positions,
-                        std::span<const Vec4> velocities, const Wind& wind,
-                        std::span<const Vec4> air_velocities, std::span<Vec4> particle_forces) {
+void compute_air_forces(Parallel& parallel, GridCells& cells, const ClothInAir& cloth,
+                        std::span<Vec4> particle_forces) {
     in_tiles(parallel, cells.diagonals.nodes, cells.windows(),
              [&](const BlockRange& tile, const GridWindow& window) {
                  HWY_DYNAMIC_DISPATCH(air_forces_of_grid)
-                 (cells, tile, window, wind, positions.data(), velocities.data(), air_velocities,
-                  particle_forces.data());
+                 (cells, tile, window, cloth, particle_forces.data());
              });
 }
 

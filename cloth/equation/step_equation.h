@@ -20,7 +20,9 @@ class SeamRows;
 struct ExternalForces {
     Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
     float air_damping = 0;              ///< [1/s]
-    std::span<const Vec4> air;          ///< per particle: force [N], w slope of drag [N s/m]; empty: no air
+    /// Per particle: the air's force [N] at the start's velocities, w slope of drag [N s/m], of a line through
+    /// the force where it was taken last; empty: no air.
+    std::span<const Vec4> air;
     FillingRow* filling = nullptr;  ///< of the cloth, or null; its force is that at its last linearisation
 };
 
@@ -29,8 +31,8 @@ struct ExternalForces {
 /// Backward Euler: gamma = h, the bases are the present positions and velocities. BDF2 (Curtiss and
 /// Hirschfelder 1952) is the same equation with gamma = 2h/3, x_base = x_n + (x_n - x_n-1) / 3, v_base = v_n
 /// + (v_n - v_n-1) / 3; after a step of another length with other coefficients, see Bdf. A pinned particle's
-/// base is such that x_base + gamma v is where it will be. The air's force is that at `velocities`, with its
-/// slope.
+/// base is such that x_base + gamma v is where it will be. The air's force is linear in v, see
+/// ExternalForces; methods that linearise more than once take it anew.
 struct StepEquation {
     const ClothSettings& settings;
     float h;                               ///< [s]

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "cloth/air/surface.h"
 #include "cloth/equation/step_equation.h"
 #include "cloth/mesh/cook.h"
 #include "cloth/solver/stages.h"
@@ -24,6 +25,8 @@ struct SolverStep {
     const ClothModel& model;
     const ClothSettings& settings;
     const StepEquation& equation;
+    /// The force in the equation: methods that linearise more than once take it anew.
+    AirForce air{};
     std::span<Vec4>
         velocities;  ///< the result: at the end of the step, w 0; another buffer than the equation's
 

@@ -1,6 +1,5 @@
 // The air's part of a step.
 
-#include <optional>
 #include <utility>
 
 #include "cloth/air/air_sources.h"
@@ -28,21 +27,22 @@ void Simulation::find_air(Parallel& threads, std::span<const Vec4> points, std::
     if (has_sources(settings.wind)) add_air_of_sources(threads, settings.wind, points, velocities);
 }
 
-void air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool has_moved) {
+AirForce air_force(const Simulation& world, Cloth& cloth) {
+    const std::span<const Vec4> velocities = std::as_const(cloth.state.velocities).span();
+    return {.surface = world.air_is_on() ? &cloth.surface : nullptr,
+            .cloth = {.wind = &world.settings.wind,
+                      .wind_scale = cloth.settings.wind_scale,
+                      .air_velocities = std::as_const(cloth.air.velocities).span(),
+                      .positions = std::as_const(cloth.state.positions).span(),
+                      .velocities = velocities,
+                      .from_velocities = velocities},
+            .forces = cloth.air.forces.span()};
+}
+
+void find_air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool keeps_normals) {
     const auto timer = world.timed(Stage::wind);
-    const float scale = cloth.settings.wind_scale;
-    std::optional<Wind> scaled;
-    if (scale != 1) {
-        scaled = world.settings.wind;
-        scaled->velocity = to_vec3(scale * to_vector(scaled->velocity));
-    }
-    cloth.surface.compute_air_forces(worker.parallel,
-                                     {.wind = scaled ? *scaled : world.settings.wind,
-                                      .positions = cloth.state.positions.span(),
-                                      .velocities = cloth.state.velocities.span(),
-                                      .air_velocities = cloth.air.velocities.span(),
-                                      .has_moved = has_moved},
-                                     cloth.air.forces.span());
+    const AirForce air = air_force(world, cloth);
+    cloth.surface.compute_air_forces(worker.parallel, air.cloth, keeps_normals, air.forces);
 }
 
 }  // namespace weft

@@ -8,7 +8,9 @@ namespace weft {
 
 /// Samples the air's velocities at the cloth's particles.
 void feel_wind(Simulation& world, Worker& worker, Cloth& cloth);
-/// Computes the air's forces on the cloth. `has_moved`: it has moved since its normals were computed.
-void air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool has_moved);
+/// The air's force on the cloth in a substep that begins as it is now.
+[[nodiscard]] AirForce air_force(const Simulation& world, Cloth& cloth);
+/// Computes that force where the substep begins. `keeps_normals`: see Surface.
+void find_air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool keeps_normals);
 
 }  // namespace weft

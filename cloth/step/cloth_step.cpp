@@ -60,7 +60,7 @@ void predict(Simulation& world, Worker& worker, Cloth& cloth, float dt, const Su
     }
     if (!world.air_is_on()) return;
     if (substep.is_first()) feel_wind(world, worker, cloth);
-    air_forces(world, worker, cloth, !substep.is_first() || cloth.carried);
+    find_air_forces(world, worker, cloth, substep.is_first() && !cloth.carried);
 }
 
 void arrive(Simulation& world, Worker& worker, Cloth& cloth) {

@@ -166,6 +166,7 @@ void make_equations(Simulation& world, Worker& worker, Group& group, std::span<C
                                      .model = cloth.model,
                                      .settings = cloth.stepped_settings(),
                                      .equation = equation,
+                                     .air = air_force(world, cloth),
                                      .velocities = cloth.scratch_velocities.span(),
                                      .wants_residual = part.is_last() && is_residual_due(world, cloth)});
         if (cloth.can_join())
@@ -358,7 +359,7 @@ void solve(Simulation& world, Worker& worker, std::span<Cloth* const> cloths, fl
     bool cut_much = false;
     for (int k = 0; k < parts; ++k) {
         if (k > 0 && world.air_is_on())
-            for (Cloth* cloth : cloths) air_forces(world, worker, *cloth, true);
+            for (Cloth* cloth : cloths) find_air_forces(world, worker, *cloth, false);
         solve_part(world, worker, group, scratch, cloths, substep.part(k, parts, dt));
         cut_much |= was_cut_much(group.all_featured());
     }

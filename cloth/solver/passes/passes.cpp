@@ -245,7 +245,10 @@ void Passes::linearise() {
     else
         let_bodies_follow();
     for_each_member([&](const PassMember& member, Parallel& threads) {
-        if (is_first) linearise_filling(member, threads);
+        if (is_first)
+            linearise_filling(member, threads);
+        else
+            member.step.air.linearise(threads, member.step.velocities);
         member.system.linearise(threads, member.step.equation, member.step.velocities,
                                 LinearisedAbout::iterate);
     });

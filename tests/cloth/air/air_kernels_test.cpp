@@ -42,12 +42,12 @@ struct Scene {
         cloth.surface.compute_normals(parallel, cloth.state.positions.span(), cloth.state.normals.span());
         cloth.take_air(cloth.make_air(true, false));
         cloth.surface.compute_air_forces(parallel,
-                                         {.wind = breeze,
+                                         {.wind = &breeze,
+                                          .air_velocities = gusts ? air.span() : std::span<Vec4>(),
                                           .positions = cloth.state.positions.span(),
                                           .velocities = cloth.state.velocities.span(),
-                                          .air_velocities = gusts ? air.span() : std::span<Vec4>(),
-                                          .has_moved = false},
-                                         cloth.air.forces.span());
+                                          .from_velocities = cloth.state.velocities.span()},
+                                         true, cloth.air.forces.span());
     }
 
     Cloth cloth;
@@ -103,6 +103,32 @@ TEST_P(AirKernels, ForcesAreAThirdOfEachTrianglesForce) {
                 EXPECT_LE((load(cloth.air.forces[i]).cast<double>() - expected[i]).norm(),
                           3e-6 * sizes[i] + 1e-12)
                     << "particle " << i;
+        }
+    }
+}
+
+TEST_P(AirKernels, ForcesAreHandedOnAlongTheirSlope) {
+    for (const NamedMesh& named : meshes()) {
+        SCOPED_TRACE(named.name);
+        Scene scene(named.mesh);
+        scene.compute(serial, false);
+        Cloth& cloth = scene.cloth;
+        AlignedBuffer<Vec4> from(cloth.model.particle_count), forces(cloth.model.particle_count);
+        for (std::uint32_t i = 0; i < from.size(); ++i)
+            from[i] = to_vec4(Vector3(0.1f * static_cast<float>(i % 7), -0.3f, 0.2f), 0);
+        cloth.surface.compute_air_forces(serial,
+                                         {.wind = &breeze,
+                                          .positions = cloth.state.positions.span(),
+                                          .velocities = cloth.state.velocities.span(),
+                                          .from_velocities = from.span()},
+                                         false, forces.span());
+        for (std::uint32_t i = 0; i < from.size(); ++i) {
+            const Vec4 &there = cloth.air.forces[i], &here = forces[i];
+            EXPECT_EQ(here.w, there.w);
+            const Vector3 since = xyz(cloth.state.velocities[i]) - xyz(from[i]);
+            const Vector3 expected = xyz(there) + there.w * since;
+            EXPECT_LE((xyz(here) - expected).norm(), 1e-6f * (xyz(there).norm() + there.w * since.norm()))
+                << "particle " << i;
         }
     }
 }

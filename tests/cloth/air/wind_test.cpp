@@ -88,11 +88,11 @@ TEST(AirForces, AddUpAndScaleWithRelativeVelocity) {
     AlignedBuffer<Vec4> forces(cloth.model.particle_count);
     const auto blow = [&](const Wind& wind) {
         cloth.surface.compute_air_forces(serial,
-                                         {.wind = wind,
+                                         {.wind = &wind,
                                           .positions = cloth.state.positions.span(),
                                           .velocities = cloth.state.velocities.span(),
-                                          .air_velocities = {}},
-                                         forces.span());
+                                          .from_velocities = cloth.state.velocities.span()},
+                                         false, forces.span());
     };
     blow(plain);
     Vector3 total = Vector3::Zero();
