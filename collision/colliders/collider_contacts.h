@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "collision/shapes/collider_motion.h"
@@ -24,12 +25,18 @@ struct CollidingParticles {
     std::span<const Vec4> held = {};
     /// Triangles that are then kept out of thin and sharp colliders, if there are `starts`; null: none.
     WholeTriangles* whole = nullptr;
+    float deep = std::numeric_limits<float>::infinity();  ///< see MetParticles [m]
+};
+
+struct MetParticles {
+    std::uint32_t count;  ///< of particles that met a collider
+    bool left_deep;       ///< whether the substep found any deeper inside one than CollidingParticles::deep
 };
 
 /// collide() of thin/collide.h, for particles alone.
-std::uint32_t collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
-                                const ClothSide& cloth, float h, const CollidingParticles& particles,
-                                std::span<std::uint32_t> block_partials);
+MetParticles collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                               const ClothSide& cloth, float h, const CollidingParticles& particles,
+                               std::span<std::uint32_t> block_partials);
 
 /// Vectors of a block's particles, component by component.
 struct BlockLanes {
