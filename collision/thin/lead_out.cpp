@@ -17,8 +17,9 @@ namespace {
 /// One collider that cloth may be inside of at the substep's start.
 class Inside {
   public:
-    Inside(const ColliderMotion& motion, const ClothSide& cloth, float h, const CollidingParticles& particles)
-        : motion_(motion), cloth_(cloth), particles_(particles), h_(h) {
+    Inside(const ColliderMotion& motion, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
+           float h, const CollidingParticles& particles)
+        : motion_(motion), colliders_(colliders), cloth_(cloth), particles_(particles), h_(h) {
         const Bounds box = grown(motion.filled, cloth.most_thickness);
         box_ = {to_vector(box.lower), to_vector(box.upper)};
         travel_ = with_shapes(motion, [&](const auto& start, const auto& end) {
@@ -42,7 +43,7 @@ class Inside {
     }
 
     /// The direction by which all that is inside is out first, and into no other collider; times the way.
-    [[nodiscard]] std::optional<Vector3> way_out(std::span<const ColliderMotion> colliders) const {
+    [[nodiscard]] std::optional<Vector3> way_out() const {
         Eigen::AlignedBox3f found;
         for (std::uint32_t i = 0; i < particles_.starts.size(); ++i)
             if (at_start(i).depth > 0) found.extend(xyz(particles_.starts[i]));
@@ -52,8 +53,7 @@ class Inside {
             for (const float way :
                  {box_.max()[axis] - found.min()[axis], box_.min()[axis] - found.max()[axis]}) {
                 const Vector3 out = way * Vector3::Unit(axis);
-                if ((!best || out.squaredNorm() < best->squaredNorm()) &&
-                    is_free(colliders, found.center() + out))
+                if ((!best || out.squaredNorm() < best->squaredNorm()) && is_free(found.center() + out, 0))
                     best = out;
             }
         return best;
@@ -75,20 +75,27 @@ class Inside {
         Vector3 normal;
         float depth = 0;  // [m]
     };
+    /// Cloth at another collider's surface is squeezed, and stays there.
     [[nodiscard]] Depth at_start(std::uint32_t i) const {
+        constexpr float reach = 1e-3f;
         const Vector3 p = xyz(particles_.starts[i]);
         if (!box_.contains(p)) return {};
         const SurfacePoint near = nearest_surface(motion_.start, p, motion_.held);
-        return {near.normal, cloth_.thickness[i] + motion_.start.thickness - near.distance};
+        const float depth = cloth_.thickness[i] + motion_.start.thickness - near.distance;
+        return {near.normal, is_free(p, cloth_.thickness[i] + reach) ? depth : 0};
     }
-    [[nodiscard]] bool is_free(std::span<const ColliderMotion> colliders, const Vector3& p) const {
-        return std::ranges::none_of(colliders, [&](const ColliderMotion& other) {
+    /// Whether no other collider, with its thickness, is as near to a point.
+    [[nodiscard]] bool is_free(const Vector3& p, float distance) const {
+        const Bounds about{to_vec3(p), to_vec3(p)};
+        return std::ranges::none_of(colliders_, [&](const ColliderMotion& other) {
             return &other != &motion_ && cloth_.meets(other.end) &&
-                   nearest_surface(other.end, p, other.held).distance < 0;
+                   overlap(other.filled, grown(about, distance)) &&
+                   nearest_surface(other.start, p, other.held).distance < distance + other.start.thickness;
         });
     }
 
     const ColliderMotion& motion_;
+    std::span<const ColliderMotion> colliders_;
     const ClothSide& cloth_;
     const CollidingParticles& particles_;
     float h_;
@@ -109,10 +116,10 @@ void lead_out(std::span<const std::array<std::uint32_t, 3>> triangles, float mea
               const CollidingParticles& particles) {
     for (const ColliderMotion& motion : colliders) {
         if (!cloth.meets(motion.end) || !has_way_out(motion)) continue;
-        const Inside inside(motion, cloth, h, particles);
+        const Inside inside(motion, colliders, cloth, h, particles);
         if (std::ranges::none_of(triangles, [&](const auto& t) { return inside.part(t, mean_edge); }))
             continue;
-        if (const auto out = inside.way_out(colliders)) inside.lead(*out);
+        if (const auto out = inside.way_out()) inside.lead(*out);
     }
 }
 
