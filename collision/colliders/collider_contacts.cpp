@@ -251,8 +251,7 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
     for (const Vec4& v : velocities) fastest = std::max(fastest, xyz(v).squaredNorm());
     const float farthest = h * std::sqrt(fastest);
     const auto is_fast = [&](const Sweeping& sweep) {
-        return sweep.way > sweep.thin_as_a_whole ||
-               (sweep.way >= 0 && sweep.way + farthest > 2 * sweep.thin_as_a_whole);
+        return sweep.way >= 0 && sweep.way + farthest > 2 * sweep.thin_as_a_whole;
     };
     if (std::ranges::none_of(colliders, is_fast, sweep_of)) return 1;
     const auto parts_for = [&](const BlockRange& range, const Sweeping& fast) {

@@ -50,10 +50,11 @@ struct Slipping {
 
     /// Thinness of the round core beside sides of that length [m].
     [[nodiscard]] Thinness as_rod(float side) const;
-    /// Whether edges part cloth that goes this way relative to the collider [m]. On edges that count cloth
-    /// does not come to rest: it meets those that stand still only where it crosses half an edge of its own.
-    [[nodiscard]] bool edges_part(float relative_way, float mean_edge) const {
-        return has_edges && (edges_move || relative_way > 0.5f * mean_edge);
+    /// Whether edges part cloth that goes this way relative to the collider in h seconds [m]. On edges that
+    /// count cloth does not come to rest: slow cloth does not meet those that stand still.
+    [[nodiscard]] bool edges_part(float relative_way, float h) const {
+        constexpr float fast = 1;  // [m/s]
+        return has_edges && (edges_move || relative_way > fast * h);
     }
     /// Thinness of the whole collider.
     [[nodiscard]] Thinness beside(float side, bool edges_count) const {

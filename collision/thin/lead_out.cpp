@@ -103,10 +103,12 @@ class Inside {
     Vector3 travel_;
 };
 
-/// Whether a shape has a far side, and a step finds depth in it.
-bool has_way_out(const ColliderMotion& motion) {
-    return finds_depth(motion) && !std::holds_alternative<Plane>(motion.end.shape) &&
-           (motion.held == nullptr || !std::holds_alternative<HeldHeights>(motion.held->data()));
+/// Whether cloth is led out of it: planes and grounds have no far side, and off a limb it comes over an end.
+bool leads_out(const ColliderMotion& motion) {
+    const auto& shape = motion.end.shape;
+    const bool has_far_side = std::holds_alternative<Sphere>(shape) || std::holds_alternative<Box>(shape) ||
+                              (motion.held != nullptr && !motion.held->is_ground());
+    return has_far_side && finds_depth(motion);
 }
 
 }  // namespace
@@ -115,7 +117,7 @@ void lead_out(std::span<const std::array<std::uint32_t, 3>> triangles, float mea
               std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
               const CollidingParticles& particles) {
     for (const ColliderMotion& motion : colliders) {
-        if (!cloth.meets(motion.end) || !has_way_out(motion)) continue;
+        if (!cloth.meets(motion.end) || !leads_out(motion)) continue;
         const Inside inside(motion, colliders, cloth, h, particles);
         if (std::ranges::none_of(triangles, [&](const auto& t) { return inside.part(t, mean_edge); }))
             continue;

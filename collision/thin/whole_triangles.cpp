@@ -200,7 +200,7 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         has_paths = true;
         if (!meeting_with(motion, h, thickness, all)) continue;
         if (longest == 0) longest = longest_edge(parallel, particles.starts);
-        const bool edges_part = slips->edges_part(slips->way + all.longest, mean_edge_);
+        const bool edges_part = slips->edges_part(slips->way + all.longest, h);
         if (slips->beside(std::max(longest, mean_edge_), edges_part) == Thinness::thick) continue;
         const Cores cores(motion, h, edges_part);
         if (cores.empty()) continue;
@@ -279,7 +279,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const float gap = meeting.longest_gap();
     const auto may = meeting_with(meeting.motion, meeting.h, meeting.thickness(), paths);
     const Slipping& slipping = meeting.slipping;
-    const bool edges_part = slipping.edges_part(slipping.way + paths.longest, mean_edge_);
+    const bool edges_part = slipping.edges_part(slipping.way + paths.longest, meeting.h);
     if (!may || slipping.beside(std::max(longest_[range.block], mean_edge_), edges_part) == Thinness::thick)
         return;
     constexpr float never = std::numeric_limits<float>::infinity();
@@ -292,8 +292,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         if (sides.leave_out(triangle)) continue;
         const CornerPaths corners = meeting.paths(triangle);
         const float way = longest_way(corners);
-        const Thinness thinness =
-            slipping.beside(meeting.side(corners), slipping.edges_part(way, mean_edge_));
+        const Thinness thinness = slipping.beside(meeting.side(corners), slipping.edges_part(way, meeting.h));
         if (thinness == Thinness::thick) continue;
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
