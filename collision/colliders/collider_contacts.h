@@ -76,9 +76,10 @@ bool find_bouncing_surfaces(std::span<const ColliderMotion> colliders, const Clo
                             std::span<const Vec4> velocities, NearSurfaces& near);
 
 /// Number of equal parts, at most `most`, for a substep in which a collider that moves farther than it is
-/// thin, or that cloth goes past by several times its width, meets particles: within a part no nearby particle moves farther relative to it than its radius and
-/// the thickness. An equation linearised at a part's start cannot bend flat cloth round a thin bar that ends
-/// far off. 1 if no such collider meets any. Precondition: as of collide().
+/// thin, or that cloth goes past by several times its width, meets particles: within a part no nearby
+/// particle moves farther relative to it than its radius and the thickness. An equation linearised at a
+/// part's start cannot bend flat cloth round a thin bar that ends far off. 1 if no such collider meets any.
+/// Precondition: as of collide().
 [[nodiscard]] std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,
                                           const ClothSide& cloth, float h, std::uint32_t most,
                                           std::span<const Vec4> positions, std::span<const Vec4> velocities,
