@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 #include "collision/colliders/collider_kernels.h"
@@ -13,11 +12,12 @@ namespace weft {
 
 namespace {
 
-/// Bodies yield within a substep, and deforming meshes move by any distance: the substep causes their depth.
 FoundDepth found_depth(const ColliderMotion& motion) {
-    if (motion.body >= 0 || motion.rate != 0) return {};
-    return {.least = 2e-5f};  // above rounding
+    return finds_depth(motion) ? FoundDepth{.least = 2e-5f} : FoundDepth{};  // above rounding
 }
+
+/// Set in a block's count of particles that met a collider if any is left deep inside one.
+constexpr std::uint32_t left_deep = 1u << 31;
 
 /// Calls use(moving shape, Meeting) unless the shape is farther from the paths than thickness plus reach, or
 /// the cloth's mask excludes it.
@@ -203,8 +203,11 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
                     block);
         });
     }
-    if (block.has_left) Emerging(colliders, cloth, h, block).all();
-    return std::accumulate(block.met.begin(), block.met.end(), 0u);
+    const std::uint32_t met = std::accumulate(block.met.begin(), block.met.end(), 0u);
+    if (!block.has_left) return met;
+    Emerging(colliders, cloth, h, block).all();
+    const auto is_deep = [&](float depth) { return depth > particles.deep; };
+    return met | (std::ranges::any_of(left.surfaces.w, is_deep) ? left_deep : 0);
 }
 
 /// The particles of a block.
@@ -214,20 +217,25 @@ CollidingParticles part_of(const CollidingParticles& all, const BlockRange& rang
     return {.positions = of_block(all.positions),
             .velocities = of_block(all.velocities),
             .starts = of_block(all.starts),
-            .held = of_block(all.held)};
+            .held = of_block(all.held),
+            .deep = all.deep};
 }
 
 }  // namespace
 
-std::uint32_t collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
-                                const ClothSide& cloth, float h, const CollidingParticles& particles,
-                                std::span<std::uint32_t> block_partials) {
+MetParticles collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                               const ClothSide& cloth, float h, const CollidingParticles& particles,
+                               std::span<std::uint32_t> block_partials) {
     const auto block = [&](const BlockRange& range) {
         return collide_block(colliders, cloth.part(range.begin, range.end - range.begin), h,
                              part_of(particles, range));
     };
-    return parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()), block_partials, 0u, block,
-                           std::plus<>{});
+    const std::uint32_t met =
+        parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()), block_partials, 0u, block,
+                        [](std::uint32_t a, std::uint32_t b) {
+                            return ((a & ~left_deep) + (b & ~left_deep)) | ((a | b) & left_deep);
+                        });
+    return {met & ~left_deep, (met & left_deep) != 0};
 }
 
 std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,
@@ -239,7 +247,15 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
             return sweeping(start, end, {h, motion.fastest}, thickness_of(motion, cloth));
         });
     };
-    const auto is_fast = [](const Sweeping& sweep) { return sweep.way > sweep.thin_as_a_whole; };
+    float fastest = 0;
+    for (const Vec4& v : velocities) fastest = std::max(fastest, xyz(v).squaredNorm());
+    const float farthest = h * std::sqrt(fastest);
+    // What moves, or what cloth goes past by several times its width: cloth that flaps round a pole is
+    // slower.
+    const auto is_fast = [&](const Sweeping& sweep) {
+        return sweep.way > sweep.thin_as_a_whole ||
+               (sweep.way >= 0 && sweep.way + farthest > 8 * sweep.thin_as_a_whole);
+    };
     if (std::ranges::none_of(colliders, is_fast, sweep_of)) return 1;
     const auto parts_for = [&](const BlockRange& range, const Sweeping& fast) {
         float longest = 0;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "collision/shapes/collider_motion.h"
@@ -24,12 +25,18 @@ struct CollidingParticles {
     std::span<const Vec4> held = {};
     /// Triangles that are then kept out of thin and sharp colliders, if there are `starts`; null: none.
     WholeTriangles* whole = nullptr;
+    float deep = std::numeric_limits<float>::infinity();  ///< see MetParticles [m]
+};
+
+struct MetParticles {
+    std::uint32_t count;  ///< of particles that met a collider
+    bool left_deep;       ///< whether the substep found any deeper inside one than CollidingParticles::deep
 };
 
 /// collide() of thin/collide.h, for particles alone.
-std::uint32_t collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
-                                const ClothSide& cloth, float h, const CollidingParticles& particles,
-                                std::span<std::uint32_t> block_partials);
+MetParticles collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
+                               const ClothSide& cloth, float h, const CollidingParticles& particles,
+                               std::span<std::uint32_t> block_partials);
 
 /// Vectors of a block's particles, component by component.
 struct BlockLanes {
@@ -69,9 +76,10 @@ bool find_bouncing_surfaces(std::span<const ColliderMotion> colliders, const Clo
                             std::span<const Vec4> velocities, NearSurfaces& near);
 
 /// Number of equal parts, at most `most`, for a substep in which a collider that moves farther than it is
-/// thin meets particles: within a part no nearby particle moves farther relative to it than its radius and
-/// the thickness. An equation linearised at a part's start cannot bend flat cloth round a thin bar that ends
-/// far off. 1 if no such collider meets any. Precondition: as of collide().
+/// thin, or that cloth goes past by several times its width, meets particles: within a part no nearby
+/// particle moves farther relative to it than its radius and the thickness. An equation linearised at a
+/// part's start cannot bend flat cloth round a thin bar that ends far off. 1 if no such collider meets any.
+/// Precondition: as of collide().
 [[nodiscard]] std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,
                                           const ClothSide& cloth, float h, std::uint32_t most,
                                           std::span<const Vec4> positions, std::span<const Vec4> velocities,

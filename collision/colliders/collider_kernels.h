@@ -25,6 +25,11 @@ struct FoundDepth {
     float least = std::numeric_limits<float>::infinity();
 };
 
+/// Bodies yield within a substep, and deforming meshes move by any distance: the substep causes their depth.
+[[nodiscard]] inline bool finds_depth(const ColliderMotion& motion) {
+    return motion.body < 0 && motion.rate == 0;
+}
+
 struct ContactSettings {
     float thickness;                          ///< collider's and cloth's greatest together [m]
     float friction;                           ///< the collider's coefficient

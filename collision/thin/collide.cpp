@@ -1,5 +1,6 @@
 #include "collision/thin/collide.h"
 
+#include "collision/thin/lead_out.h"
 #include "collision/thin/whole_triangles.h"
 
 namespace weft {
@@ -7,9 +8,14 @@ namespace weft {
 std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
                       float h, const CollidingParticles& particles, std::span<std::uint32_t> block_partials) {
     if (colliders.empty()) return 0;
-    const std::uint32_t met = collide_particles(parallel, colliders, cloth, h, particles, block_partials);
-    if (particles.whole == nullptr || particles.starts.empty()) return met;
-    return met + particles.whole->keep_out(parallel, colliders, cloth, h, particles);
+    const bool has_whole = particles.whole != nullptr && !particles.starts.empty();
+    CollidingParticles all = particles;
+    if (has_whole) all.deep = 0.125f * particles.whole->mean_edge();
+    const MetParticles met = collide_particles(parallel, colliders, cloth, h, all, block_partials);
+    if (!has_whole) return met.count;
+    if (met.left_deep)
+        lead_out(particles.whole->triangles(), particles.whole->mean_edge(), colliders, cloth, h, particles);
+    return met.count + particles.whole->keep_out(parallel, colliders, cloth, h, particles);
 }
 
 }  // namespace weft

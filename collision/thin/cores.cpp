@@ -87,7 +87,9 @@ std::optional<Slipping> slipping(const ColliderMotion& motion, float h, float th
         return Slipping{.thin = width.half + thickness,
                         .is_ball = width.is_ball,
                         .moves = by_host && way > moved * thickness,
-                        .edges_part = by_host && width.has_edges && way > least_way * thickness};
+                        .has_edges = by_host && width.has_edges,
+                        .edges_move = way > least_way * thickness,
+                        .way = way};
     });
 }
 

@@ -44,12 +44,22 @@ struct Slipping {
     float thin = 0;           ///< radius, of a body half its width, and the thickness [m]
     bool is_ball = false;     ///< else a rod
     bool moves = false;       ///< by the host: no body is attached
-    bool edges_part = false;  ///< its edges count, because they move; on them cloth does not come to rest
+    bool has_edges = false;   ///< that can part cloth, of what the host moves or leaves
+    bool edges_move = false;  ///< enough to count whatever the cloth does
+    float way = 0;            ///< greatest displacement of its points [m]
 
     /// Thinness of the round core beside sides of that length [m].
     [[nodiscard]] Thinness as_rod(float side) const;
+    /// Whether edges part cloth that goes this way relative to the collider in h seconds [m]. On edges that
+    /// count cloth does not come to rest: slow cloth does not meet those that stand still.
+    [[nodiscard]] bool edges_part(float relative_way, float h) const {
+        constexpr float fast = 1;  // [m/s]
+        return has_edges && (edges_move || relative_way > fast * h);
+    }
     /// Thinness of the whole collider.
-    [[nodiscard]] Thinness beside(float side) const { return edges_part ? Thinness::thinnest : as_rod(side); }
+    [[nodiscard]] Thinness beside(float side, bool edges_count) const {
+        return edges_count ? Thinness::thinnest : as_rod(side);
+    }
 };
 /// Nothing for a collider that is thick beside any triangle, or that has jumped.
 [[nodiscard]] std::optional<Slipping> slipping(const ColliderMotion& motion, float h, float thickness);

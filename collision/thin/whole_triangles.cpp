@@ -79,6 +79,7 @@ struct WholeTriangles::Meeting {
     const CollidingParticles& particles;
     float h, mean_edge;
     Slipping slipping;
+    bool edges_part;  ///< of triangles that are near
 
     /// Size of cells where a triangle begins: the cloth's mean edge, or two thirds of the triangle's own size
     /// if greater. That is half the root of its sides' summed squares, for half of a square the square's
@@ -199,10 +200,11 @@ std::uint32_t WholeTriangles::keep_out(Parallel& parallel, std::span<const Colli
         has_paths = true;
         if (!meeting_with(motion, h, thickness, all)) continue;
         if (longest == 0) longest = longest_edge(parallel, particles.starts);
-        if (slips->beside(std::max(longest, mean_edge_)) == Thinness::thick) continue;
-        const Cores cores(motion, h, slips->edges_part);
+        const bool edges_part = slips->edges_part(slips->way + all.longest, h);
+        if (slips->beside(std::max(longest, mean_edge_), edges_part) == Thinness::thick) continue;
+        const Cores cores(motion, h, edges_part);
         if (cores.empty()) continue;
-        const Meeting meeting{cores, motion, cloth, particles, h, mean_edge_, *slips};
+        const Meeting meeting{cores, motion, cloth, particles, h, mean_edge_, *slips, edges_part};
         // A push also moves neighbouring triangles that were not near.
         for (int search = 0; search < most_searches; ++search) {
             if (search > 0) all = find_paths(parallel, particles);
@@ -276,7 +278,9 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
     const BlockPaths paths = joined(span.first / block_size, span.last / block_size);
     const float gap = meeting.longest_gap();
     const auto may = meeting_with(meeting.motion, meeting.h, meeting.thickness(), paths);
-    if (!may || meeting.slipping.beside(std::max(longest_[range.block], mean_edge_)) == Thinness::thick)
+    const Slipping& slipping = meeting.slipping;
+    const bool edges_part = slipping.edges_part(slipping.way + paths.longest, meeting.h);
+    if (!may || slipping.beside(std::max(longest_[range.block], mean_edge_), edges_part) == Thinness::thick)
         return;
     constexpr float never = std::numeric_limits<float>::infinity();
     const float if_fast = may->thin == 0 ? never : may->thin;
@@ -287,7 +291,8 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const Triangle& triangle = triangles_[t];
         if (sides.leave_out(triangle)) continue;
         const CornerPaths corners = meeting.paths(triangle);
-        const Thinness thinness = meeting.slipping.beside(meeting.side(corners));
+        const float way = longest_way(corners);
+        const Thinness thinness = slipping.beside(meeting.side(corners), slipping.edges_part(way, meeting.h));
         if (thinness == Thinness::thick) continue;
         Eigen::AlignedBox3f box;
         for (std::size_t k = 0; k < 3; ++k) box.extend(corners.from[k]).extend(corners.to[k]);
@@ -296,7 +301,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
         const auto is_near = [&](const Core& core) { return box.intersects(core.box); };
         if (!std::ranges::any_of(meeting.cores.list(), is_near)) continue;
         near_[range.begin + count++] = t;
-        if (thinness != Thinness::thin_if_fast || longest_way(corners) > if_fast) is_fast_[range.block] = 1;
+        if (thinness != Thinness::thin_if_fast || way > if_fast) is_fast_[range.block] = 1;
     }
 }
 
@@ -321,11 +326,11 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
     bool any = false;
     CornerPaths paths = meeting.paths(corners);
     const float side = meeting.side(paths);
-    const bool only_from_outside = meeting.slipping.beside(side) != Thinness::thinnest;
+    const bool only_from_outside = meeting.slipping.beside(side, meeting.edges_part) != Thinness::thinnest;
     // Edges hold a collider that is nearly as wide as cells; its round core would push the other way.
     const Thinness as_rod = meeting.slipping.as_rod(side);
     const bool is_thick =
-        as_rod == Thinness::thick || (meeting.slipping.edges_part && as_rod == Thinness::thin_if_fast);
+        as_rod == Thinness::thick || (meeting.edges_part && as_rod == Thinness::thin_if_fast);
     const auto push = [&](const Core& core, const Triangle& of, const CornerPaths& way) {
         const auto approach = first_approach(meeting.cores, core, way, {gap, only_from_outside});
         if (!approach) return;

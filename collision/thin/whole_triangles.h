@@ -31,6 +31,8 @@ class WholeTriangles {
     std::uint32_t keep_out(Parallel& parallel, std::span<const ColliderMotion> colliders,
                            const ClothSide& cloth, float h, const CollidingParticles& particles);
 
+    [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return triangles_; }
+    [[nodiscard]] float mean_edge() const noexcept { return mean_edge_; }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return order_.bytes() + owned_.bytes() + spans_.bytes() + near_.bytes() + counts_.bytes() +
                is_fast_.bytes() + longest_.bytes() + paths_.bytes();

@@ -78,12 +78,15 @@ struct Collider {
 /// colliders so thin or sharp that they slip between particles. Thin are (radius and thickness together, in
 /// the cloth's mean edges) capsules below .55 and balls below .8, both below 1.1 while the host moves them,
 /// and below 2 at fast impacts. Sharp are edges and corners of boxes, hulls and closed convex meshes (of at
-/// most 32 corners) while the host moves these. Sides of triangles are kept half the thickness outside. Cloth
-/// on thin colliders is held and does not come to rest; triangles cut the corners of a box that stands still.
+/// most 32 corners) while the host moves these, and where cloth comes at more than 1 m/s. Sides of triangles
+/// are kept half the thickness outside. Cloth on thin colliders is held and does not come to rest; triangles
+/// that lie on a box which stands still cut its corners.
 ///
 /// Penetration that a step finds at its start, because a collider was placed over cloth or cloth was moved
-/// into it, becomes no velocity: it shrinks at 0.1 m/s, beyond 5 cm by e^-2 a second. Penetration that the
-/// step itself causes is removed at once; that by a body with mass or a deforming mesh always counts so.
+/// into it, becomes no velocity: it shrinks at 0.1 m/s, beyond 5 cm by e^-2 a second. Cloth in the middle of
+/// a ball, box, hull or mesh, where the nearest ways out would part it, moves along with the collider and
+/// leaves it as a whole, at 0.1 m/s. Penetration that the step itself causes is removed at once; that by a
+/// body with mass or a deforming mesh always counts so.
 /// Where colliders overlap and no place is free, cloth keeps to the surface of the collider added last (the
 /// greatest ColliderId::index), moves along with it, and does not slide; it leaves the others as soon as one
 /// of them makes room.

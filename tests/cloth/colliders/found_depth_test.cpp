@@ -11,6 +11,7 @@
 #include "collision/colliders/nearest_surface.h"
 #include "engine/vector.h"
 #include "tests/cloth/fixtures.h"
+#include "tests/collision/colliders/solids.h"
 #include "weft/weft.h"
 
 namespace weft::test {
@@ -231,6 +232,69 @@ TEST(FoundDepth, BodyOfTwoBallsPlacedInASheetIsLeft) {
     for (const Vec4& p : view.positions)
         for (const Vec3& place : places)
             ASSERT_GT((xyz(p) - to_vector(place)).norm(), 0.08f + 0.0045f) << p.x << ", " << p.z;
+}
+
+/// A box of 40 x 30 x 50 cm about the origin.
+Collider body_of_kind(World& world, int kind) {
+    const Solid solid = box_mesh({0.2f, 0.15f, 0.25f});
+    if (kind == 0) return {.shape = Box{.half_extents = {0.2f, 0.15f, 0.25f}}};
+    if (kind == 1) return {.shape = PlacedShape{world.add_shape(ConvexHull{solid.vertices}).value()}};
+    return {.shape = PlacedShape{world.add_shape(solid.mesh()).value()}};
+}
+
+/// The same in another place.
+Collider moved_to(Collider collider, const Vec3& place) {
+    if (auto* const box = std::get_if<Box>(&collider.shape)) box->center = place;
+    if (auto* const placed = std::get_if<PlacedShape>(&collider.shape)) placed->position = place;
+    return collider;
+}
+
+Mesh upright_sheet(float size, float z) {
+    return make_sheet({.rows = 17,
+                       .columns = 17,
+                       .origin = {-0.5f * size, 0.5f * size, z},
+                       .u = {size, 0, 0},
+                       .v = {0, -size, 0}})
+        .value();
+}
+
+// The nearest ways out lead to all sides: they tore the sheet to eighteen times its size, and it snapped at
+// 3 to 27 m/s.
+TEST(FoundDepth, ClothInTheMiddleOfABodyLeavesItAsAWhole) {
+    for (const int kind : {0, 1, 2})
+        for (const float size : {0.28f, 1.0f})
+            for (const float z : {0.001f, 0.1f})
+                for (const auto method : {SelfCollisionMethod::off, SelfCollisionMethod::contact}) {
+                    World world = World::create(vacuum()).value();
+                    const Collider body = body_of_kind(world, kind);
+                    ASSERT_TRUE(world.add_collider(body));
+                    const ClothSettings settings{.self_collision = {.method = method}};
+                    const ClothId id = world.add_cloth(upright_sheet(size, z), settings).value();
+                    float speed = 0;
+                    for (int k = 0; k < 210; ++k) speed = std::max(speed, world.step(h).peak_speed);
+                    EXPECT_LT(speed, 1.2f) << kind << ", " << size << " m at " << z;
+                    const Collider box{.shape = Box{.half_extents = {0.2f, 0.15f, 0.25f}}};
+                    for (const Vec4& p : world.cloth(id)->positions)
+                        ASSERT_GT(nearest_surface(box, xyz(p)).distance, 0.0045f) << kind << ", " << size;
+                }
+}
+
+// It moves along with the body meanwhile.
+TEST(FoundDepth, ABodyCarriesTheClothInItsMiddle) {
+    for (const int kind : {0, 1, 2}) {
+        World world = World::create(vacuum()).value();
+        const Collider body = body_of_kind(world, kind);
+        const ColliderId collider = world.add_collider(body).value();
+        const ClothId id = world.add_cloth(upright_sheet(0.2f, 0.001f)).value();
+        for (int k = 1; k <= 60; ++k) {
+            ASSERT_TRUE(world.move_collider(collider, moved_to(body, {0, h * static_cast<float>(k), 0})));
+            EXPECT_LT(world.step(h).peak_speed, 1.1f) << kind;
+        }
+        for (const Vec4& p : world.cloth(id)->positions) {
+            ASSERT_NEAR(p.y, 1, 0.11f) << kind;
+            ASSERT_NEAR(p.z, 0.1f, 0.01f) << kind << ": .1 m/s out of it";
+        }
+    }
 }
 
 }  // namespace

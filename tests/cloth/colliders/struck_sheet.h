@@ -13,6 +13,8 @@ namespace weft::test {
 
 /// What strikes: at time t [s] it is at(t), until `stops`; probes are points in it at the end.
 struct Striker {
+    void add_to(World&) {}
+
     enum class Kind { bar, ball, sword } kind;
     float speed;   ///< [m/s]; of a sword its tip's
     float radius;  ///< [m]
@@ -49,6 +51,43 @@ struct Striker {
     }
 };
 
+/// A plate of a square or twelve corners, a box, a hull or a mesh, that flies broadside on.
+struct Plate {
+    enum class Kind { box, hull, mesh } kind;
+    float speed, radius, half;  ///< [m/s], [m]; half the thickness [m]
+    ShapeId shape{};
+
+    void add_to(World& world) {
+        constexpr std::uint32_t corners = 12;
+        std::vector<Vec3> vertices;
+        std::vector<Triangle> triangles;
+        for (std::uint32_t k = 0; k < corners; ++k) {
+            const float angle = 2 * 3.14159265f * static_cast<float>(k) / corners;
+            for (const float z : {-half, half})
+                vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+            const std::uint32_t a = 2 * k, b = 2 * ((k + 1) % corners);
+            triangles.insert(triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
+            if (k > 0 && b > 0) triangles.insert(triangles.end(), {{0, b, a}, {1, a + 1, b + 1}});
+        }
+        if (kind == Kind::hull) shape = world.add_shape(ConvexHull{vertices}).value();
+        if (kind == Kind::mesh) shape = world.add_shape(TriangleMesh{vertices, triangles}).value();
+    }
+    [[nodiscard]] float stops() const { return (Striker::beyond - Striker::behind) / speed; }
+    [[nodiscard]] Collider at(float t) const {
+        const Vec3 middle{0.013f, 0.507f, Striker::behind + speed * std::min(t, stops())};
+        if (kind == Kind::box) return {.shape = Box{middle, {}, {radius, radius, half}}};
+        return {.shape = PlacedShape{shape, middle}};
+    }
+    [[nodiscard]] std::vector<Vector3> probes() const {
+        std::vector<Vector3> points;
+        for (float y = -0.9f; y < 1; y += 0.3f)
+            for (float x = -0.9f; x < 1; x += 0.3f)
+                if (kind == Kind::box || x * x + y * y < 0.85f)
+                    points.push_back({0.013f + radius * x, 0.507f + radius * y, Striker::beyond});
+        return points;
+    }
+};
+
 /// How often the sheet lies before a point, less how often it lies so turned over.
 inline int layers_before(const ClothView& view, const Vector3& point) {
     int layers = 0;
@@ -76,7 +115,8 @@ struct Struck {
 };
 
 /// phase: of a step, at which the striker sets out.
-inline Struck strike(const Striker& striker, std::uint32_t side, float phase, int substeps = 1) {
+template <class Thing>
+Struck strike(Thing striker, std::uint32_t side, float phase, int substeps = 1) {
     constexpr float h = 1.0f / 60;
     World world = World::create({.substeps = substeps}).value();
     ClothSettings settings;
@@ -88,6 +128,7 @@ inline Struck strike(const Striker& striker, std::uint32_t side, float phase, in
     std::vector<std::uint32_t> top(side);
     for (std::uint32_t k = 0; k < side; ++k) top[k] = k;
     (void)world.pin(cloth, top);
+    striker.add_to(world);
     const ColliderId id = world.add_collider(striker.at(0)).value();
     Struck struck{};
     const int turn = layers_before(world.cloth(cloth).value(), {0.01f, 0.5f, -1});

@@ -82,7 +82,7 @@ TEST(ThinColliders, ABarIsCarriedAtAnySpeed) {
     for (const float speed : {1.0f, 5.0f, 30.0f})
         for (const int k : {3, 12}) {
             const Struck struck =
-                strike({Striker::Kind::bar, speed, 0.005f}, 32, 0.05f * static_cast<float>(k));
+                strike(Striker{Striker::Kind::bar, speed, 0.005f}, 32, 0.05f * static_cast<float>(k));
             EXPECT_EQ(struck.carried, 1) << speed << " m/s, phase " << k;
             EXPECT_TRUE(struck.sound);
             EXPECT_LT(struck.fastest, 3 * speed + 5);
@@ -90,8 +90,8 @@ TEST(ThinColliders, ABarIsCarriedAtAnySpeed) {
 }
 
 TEST(ThinColliders, ASwungSwordIsCarried) {
-    EXPECT_EQ(strike({Striker::Kind::sword, 5, 0.005f}, 32, 0.35f).carried, 1);
-    EXPECT_GT(strike({Striker::Kind::sword, 30, 0.005f}, 32, 0.35f).carried, 0.9f);
+    EXPECT_EQ(strike(Striker{Striker::Kind::sword, 5, 0.005f}, 32, 0.35f).carried, 1);
+    EXPECT_GT(strike(Striker{Striker::Kind::sword, 30, 0.005f}, 32, 0.35f).carried, 0.9f);
 }
 
 TEST(ThinColliders, ANeedleDoesNotStickThrough) {
@@ -288,7 +288,8 @@ TEST(ThinColliders, AStandingBarHoldsClothWhateverItsShape) {
 // A ball of three cells' radius draws them out to many times their size, and slipped through between them.
 TEST(ThinColliders, AFastBallStaysBehindCellsThatItStretches) {
     for (const int k : {3, 12})
-        EXPECT_EQ(strike({Striker::Kind::ball, 10, 0.025f}, 128, 0.05f * static_cast<float>(k)).carried, 1)
+        EXPECT_EQ(
+            strike(Striker{Striker::Kind::ball, 10, 0.025f}, 128, 0.05f * static_cast<float>(k)).carried, 1)
             << "phase " << k;
 }
 
