@@ -119,17 +119,18 @@ Result<ReadCloth> prepare_cloth(Simulation& simulation, Cloth& cloth, const std:
     const ClothState& here = cloth.state;
     const ClothHead own(here, cloth.model.fingerprint, cloth.settings.key);
     if (auto fits = check_cloth(name, head, own); !fits) return fits.error();
-    if (const std::size_t bytes = part_bytes(here, head, bodies); head.bytes != bytes)
+    const std::size_t bytes = part_bytes(here, head, bodies);
+    if (auto there = check_left(reader, bytes); !there) return there.error();
+    if (head.bytes != bytes)
         return refused("says that " + name + " has " + std::to_string(head.bytes) + " bytes; it must be " +
                        std::to_string(bytes));
-    if (auto there = check_left(reader, head.bytes); !there) return there.error();
     if (auto sound = check_cloth_part(name, head, here, bodies, reader.after(0)); !sound)
         return sound.error();
     ReadCloth read{&cloth, std::vector<Pin>(head.pins), head.frame != 0, bodies, reader.after(0)};
     visit_pins(read.pins, reader.after(head.bytes_before_pins()));
     cloth.prepare_restore(read.pins);
     if (read.is_in_frame) cloth.seen_colliders.reserve(simulation.state.colliders.size());
-    reader.skip(head.bytes);
+    reader.skip(bytes);
     return read;
 }
 
