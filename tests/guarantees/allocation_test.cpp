@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <new>
 #include <string>
 #include <vector>
@@ -121,19 +122,23 @@ TEST(WornCloth, TakesNoMemoryAndHasTheSameBytesOnAnyThreads) {
     EXPECT_EQ(together, 0u);
 }
 
-/// Two panels that are welded at their borders, a hand apart in the middle.
+/// Two panels that are welded at their borders, a hand apart in the middle. Triangles at corners, all of
+/// whose vertices are of both panels, are left out.
 Mesh cushion(std::uint32_t side) {
+    const auto is_border = [&](std::uint32_t v) {
+        const std::uint32_t row = v / side, column = v % side;
+        return row == 0 || column == 0 || row + 1 == side || column + 1 == side;
+    };
     Mesh mesh;
     for (const float height : {0.05f, -0.05f}) {
         Mesh panel = make_sheet({.rows = side, .columns = side}).value();
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
         for (std::uint32_t v = 0; v < side * side; ++v) {
-            const std::uint32_t row = v / side, column = v % side;
-            const bool is_inner = row > 0 && column > 0 && row + 1 < side && column + 1 < side;
-            panel.positions[v].y += is_inner ? height : 0;
+            panel.positions[v].y += is_border(v) ? 0 : height;
             mesh.positions.push_back(panel.positions[v]);
         }
         for (Triangle t : panel.triangles) {
+            if (std::ranges::all_of(t, is_border)) continue;
             if (first > 0) std::swap(t[1], t[2]);
             mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
         }
@@ -153,8 +158,11 @@ std::uint64_t hash_of_sewn_cushion(const Filling& filling, int threads, std::uin
     settings.filling = filling;
     const ClothId filled = world.add_cloth(cushion(side), settings).value();
     EXPECT_TRUE(world.move_cloth(filled, {.translation = {0, -0.2f, 0}}));
-    std::vector<std::uint32_t> last(side), first(side);
-    for (std::uint32_t k = 0; k < side; ++k) last[k] = side * (side - 1) + (first[k] = k);
+    std::vector<std::uint32_t> last, first;
+    for (std::uint32_t k = 1; k + 1 < side; ++k) {
+        first.push_back(k);
+        last.push_back(side * (side - 1) + k);
+    }
     EXPECT_TRUE(world.pin(sheet, first));
     const SeamId seam =
         world.stitch(sheet, last, filled, first, {.rest_length = 0.05f, .break_force = 0.3f}).value();
@@ -168,7 +176,7 @@ std::uint64_t hash_of_sewn_cushion(const Filling& filling, int threads, std::uin
         EXPECT_FALSE(has(world.step(1.0f / 60).flags, StepFlags::state_restored));
         if (step > 0) allocations += allocation_count() - before;
     }
-    EXPECT_LT(world.seam_info(seam)->holding, side) << "none broke";
+    EXPECT_LT(world.seam_info(seam)->holding, first.size()) << "none broke";
     return world.state_hash();
 }
 
