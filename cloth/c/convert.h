@@ -43,7 +43,7 @@ constexpr Choices choices(Fibres::SetSolver) { return {"a set solver of Fibres",
 constexpr Choices choices(AirSourceKind) { return {"AirSource::kind", WEFT_AIR_WAKE + 1}; }
 constexpr Choices choices(AirShelterKind) { return {"AirShelter::kind", WEFT_SHELTER_BOX + 1}; }
 constexpr Choices choices(FillingKind) { return {"Filling::kind", WEFT_FILLING_VOLUME + 1}; }
-constexpr Choices choices(Map) { return {"map", WEFT_MAP_STIFFNESS + 1}; }
+constexpr Choices choices(Map) { return {"map", WEFT_MAP_COLLIDER_MASK + 1}; }
 constexpr Choices choices(DescriptionFormat) { return {"format", WEFT_DESCRIBE_JSON + 1}; }
 // clang-format on
 

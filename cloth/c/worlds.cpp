@@ -198,6 +198,28 @@ WeftResult weft_world_restore(WeftWorld* world, const void* saved, size_t bytes)
     });
 }
 
+WeftResult weft_world_restore_cloths(WeftWorld* world, const void* saved, size_t bytes, uint32_t* restored) {
+    return on(world, {{saved, "saved"}}, [&](weft::World& of) -> weft::Result<void> {
+        const auto done = of.restore_cloths({static_cast<const std::byte*>(saved), bytes});
+        if (!done) return done.error();
+        if (restored != nullptr) *restored = *done;
+        return {};
+    });
+}
+size_t weft_world_cloth_save_size(const WeftWorld* world, WeftClothId id) {
+    return world == nullptr ? 0 : world->world->cloth_save_size(id_of(id));
+}
+WeftResult weft_world_save_cloth(const WeftWorld* world, WeftClothId id, void* to, size_t bytes) {
+    return on(world, {{to, "to"}}, [&](const weft::World& of) {
+        return of.save_cloth(id_of(id), {static_cast<std::byte*>(to), bytes});
+    });
+}
+WeftResult weft_world_restore_cloth(WeftWorld* world, WeftClothId id, const void* saved, size_t bytes) {
+    return on(world, {{saved, "saved"}}, [&](weft::World& of) {
+        return of.restore_cloth(id_of(id), {static_cast<const std::byte*>(saved), bytes});
+    });
+}
+
 WeftResult weft_world_start_recording(WeftWorld* world, const char* file) {
     return on(world, {{file, "file"}}, [&](weft::World& of) { return of.start_recording(path_of(file)); });
 }

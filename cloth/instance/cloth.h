@@ -245,7 +245,10 @@ struct Cloth {
                 .most_thickness = settings.thickness,
                 .restitution = settings.restitution,
                 .mask = settings.collider_mask,
-                .least_bounce = least_bounce};
+                .least_bounce = least_bounce,
+                .masks = side_buffers.masks.span(),
+                .normals = settings.back_friction_ratio == 1 ? std::span<const Vec4>() : state.normals.span(),
+                .back_friction = settings.back_friction_ratio};
     }
     /// Sets a checked map; empty values remove it. See instance/maps.cpp.
     void set_map(Map map, AlignedBuffer<float>&& values, const MakeRoom& make_room = {});

@@ -16,6 +16,7 @@ struct ClothSideBuffers {
 
     AlignedBuffer<float> thickness, friction;          ///< see ClothSide
     AlignedBuffer<float> thickness_map, friction_map;  ///< factors of each particle; empty: no map is set
+    AlignedBuffer<float> masks;                        ///< of Map::collider_mask; empty: no map is set
 
     void write(const ClothSettings& settings) noexcept {
         const auto fill = [](AlignedBuffer<float>& values, float of_all, const AlignedBuffer<float>& map) {
@@ -26,7 +27,8 @@ struct ClothSideBuffers {
         fill(friction, settings.friction, friction_map);
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return thickness.bytes() + friction.bytes() + thickness_map.bytes() + friction_map.bytes();
+        return thickness.bytes() + friction.bytes() + thickness_map.bytes() + friction_map.bytes() +
+               masks.bytes();
     }
 };
 

@@ -68,7 +68,8 @@ void Cloth::take_maps(const Cloth& before, Sources sources) {
         {Map::backstop, &before.worn.backstop},
         {Map::backstop_radius, &before.worn.backstop_radius},
         {Map::friction, &before.side_buffers.friction_map},
-        {Map::thickness, &before.side_buffers.thickness_map}};
+        {Map::thickness, &before.side_buffers.thickness_map},
+        {Map::collider_mask, &before.side_buffers.masks}};
     for (const auto& [map, values] : maps)
         if (values->size() > 0) set_worn_map(map, gathered(values->span(), sources));
 }

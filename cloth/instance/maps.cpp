@@ -74,6 +74,8 @@ AlignedBuffer<float>& Cloth::values_of(Map map) noexcept {
             return worn.backstop_radius;
         case Map::friction:
             return side_buffers.friction_map;
+        case Map::collider_mask:
+            return side_buffers.masks;
         default:
             return side_buffers.thickness_map;
     }

@@ -51,7 +51,9 @@ enum class Call : std::uint32_t {
     reset_cloth,
     stitch,
     unstitch,
-    last = unstitch,
+    restore_cloth,
+    restore_cloths,
+    last = restore_cloths,
 };
 
 /// The call's name in the interface.
@@ -97,7 +99,9 @@ enum class Call : std::uint32_t {
                                      "recut_cloth",
                                      "reset_cloth",
                                      "stitch",
-                                     "unstitch"};
+                                     "unstitch",
+                                     "restore_cloth",
+                                     "restore_cloths"};
     static_assert(std::size(names) == static_cast<std::size_t>(Call::last) + 1);
     return names[static_cast<std::size_t>(call)];
 }

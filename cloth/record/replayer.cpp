@@ -83,6 +83,9 @@ Result<void> Replayer::make(Call call, std::span<const std::byte> given) {
         case Call::restore:
             return with<std::span<const std::byte>>(reader,
                                                     [&](auto saved) { return world_->restore(saved); });
+        case Call::restore_cloths:
+            return with<std::uint32_t, std::span<const std::byte>>(
+                reader, [&](std::uint32_t, auto saved) { return world_->restore_cloths(saved); });
         case Call::add_shape:
         case Call::deform_shape:
         case Call::remove_shape:
@@ -164,6 +167,9 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
         case Call::reset_cloth:
             return with<ClothId, Points>(reader,
                                          [&](ClothId id, Points at) { return world.reset_cloth(id, at); });
+        case Call::restore_cloth:
+            return with<ClothId, std::span<const std::byte>>(
+                reader, [&](ClothId id, auto saved) { return world.restore_cloth(id, saved); });
         case Call::set_frame:
             return with<ClothId, Transform>(
                 reader, [&](ClothId id, const Transform& pose) { return world.set_frame(id, pose); });

@@ -140,6 +140,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("air_damping", a.air_damping, b.air_damping);
     way("thickness", a.thickness, b.thickness);
     way("friction", a.friction, b.friction);
+    way("back_friction_ratio", a.back_friction_ratio, b.back_friction_ratio);
     way("restitution", a.restitution, b.restitution);
     way("collider_mask", a.collider_mask, b.collider_mask);
     way("collider_response", a.collider_response, b.collider_response);
@@ -152,6 +153,7 @@ constexpr void for_both(A& a, B& b, const Way& way) {
     way("gravity_scale", a.gravity_scale, b.gravity_scale);
     way("wind_scale", a.wind_scale, b.wind_scale);
     way("filling", a.filling, b.filling);
+    way("key", a.key, b.key);
 }
 
 template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>

@@ -256,6 +256,7 @@ Result<void> validate(const ClothSettings& settings) {
     checks.between("ClothSettings::air_damping", settings.air_damping, 0, 1e6f);
     checks.between("ClothSettings::thickness", settings.thickness, 0, 10);
     checks.between("ClothSettings::friction", settings.friction, 0, 1e3f);
+    checks.between("ClothSettings::back_friction_ratio", settings.back_friction_ratio, 0, 1e3f);
     checks.between("ClothSettings::restitution", settings.restitution, 0, 1);
     checks.one_of("ClothSettings::collider_response", settings.collider_response,
                   {"ColliderResponse::contact", "ColliderResponse::velocity_filter"});

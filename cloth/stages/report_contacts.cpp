@@ -252,11 +252,12 @@ void log_avoidance(Worker& worker, Cloth& cloth, float h) {
 /// Finds the collider that is nearest to each particle with an impulse: w becomes its index + 1, or 0 where
 /// it does not push.
 void find_touched_colliders(const Simulation& world, Worker& worker, Cloth& cloth) {
-    const auto touched = [&](const Vector3& position, const Vector3& impulse) {
+    const ClothSide side = cloth.side();
+    const auto touched = [&](std::uint32_t particle, const Vector3& position, const Vector3& impulse) {
         float least = std::numeric_limits<float>::infinity(), found = 0, along = 0;
         world.state.colliders.for_each([&](ColliderId id, const ColliderSlot& slot) {
             const Collider& collider = slot.target;
-            if (collider.is_trigger || (collider.layers & cloth.settings.collider_mask) == 0) return;
+            if (collider.is_trigger || !side.meets(collider, particle)) return;
             const SurfacePoint surface = nearest_surface(collider, position, world.held_by(collider));
             const float gap = surface.distance - collider.thickness;
             if (!(gap < least)) return;
@@ -270,7 +271,7 @@ void find_touched_colliders(const Simulation& world, Worker& worker, Cloth& clot
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             Vec4& impulse = cloth.collider_impulses[i];
             if (xyz(impulse).isZero(0)) continue;
-            const float w = cloth.restored ? 0 : touched(xyz(cloth.state.positions[i]), xyz(impulse));
+            const float w = cloth.restored ? 0 : touched(i, xyz(cloth.state.positions[i]), xyz(impulse));
             impulse = w > 0 ? to_vec4(xyz(impulse), w) : Vec4{};
         }
     });

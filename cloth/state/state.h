@@ -153,6 +153,16 @@ void visit_pins(Pins& pins, const Visit& visit) {
     }
 }
 
+/// Visits what bodies gave a cloth, if there are any bodies. A visitor with a member shares() for it gets it
+/// in any case.
+template <class Shares, class Visit>
+void visit_shares(Shares& shares, const Visit& visit) {
+    if constexpr (requires { visit.shares(std::span(shares)); })
+        visit.shares(std::span(shares));
+    else if (!shares.empty())
+        visit(std::span(shares));
+}
+
 /// Calls visit(span) for every part of a state, in a fixed order: for hashing, saving and restoring. `State`
 /// may be const.
 template <class State, class Visit>
@@ -172,7 +182,7 @@ void for_each_part(State& state, const Visit& visit) {
     visit(state.held.rubbed.span());
     visit(state.held.loads.span());
     visit(state.held.touching.span());
-    if (!state.shares.empty()) visit(std::span(state.shares));
+    visit_shares(state.shares, visit);
     if (state.rest) visit(std::span(&*state.rest, 1));
     if (state.detail) {
         visit(std::span(&*state.detail, 1));

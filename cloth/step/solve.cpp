@@ -257,8 +257,8 @@ void advance(Simulation& world, Worker& worker, Cloth& cloth, const StepEquation
     if (world.reports_contacts()) add_impulses_of_equation(worker, cloth, equation);
     if (!meets_in_equation(cloth.settings))
         cloth.collider_contacts = filter_velocities(
-            worker.parallel, colliders_of(worker, cloth), cloth.settings.collider_mask, equation.h,
-            now.positions.span(), cloth.scratch_velocities.span(), cloth.partial_counts.span());
+            worker.parallel, colliders_of(worker, cloth), cloth.side(), equation.h, now.positions.span(),
+            cloth.scratch_velocities.span(), cloth.partial_counts.span());
     bounce(worker, cloth, equation);
     if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,

@@ -140,12 +140,13 @@ Result<void> check_record(const std::string& name, const ClothHead& head, const 
                     "its last step is none that can be gone on from");
 }
 
-Result<void> check_held(const std::string& name, const ClothState& here, const SavedNumbers& numbers) {
+Result<void> check_held(const std::string& name, const ClothState& here, std::size_t bodies,
+                        const SavedNumbers& numbers) {
     const bool normals = numbers.rows_within(here.held.normals.size(), most);
     const bool rubbed = numbers.within(here.held.rubbed.size(), most);
     const bool loads = numbers.within(here.held.loads.size(), most);
     numbers.skip(here.held.touching.span().size_bytes());
-    const bool shares = numbers.within(here.shares.size() * (sizeof(BodyShare) / sizeof(float)), most);
+    const bool shares = numbers.within(bodies * (sizeof(BodyShare) / sizeof(float)), most);
     return sound_or(normals && rubbed && loads && shares, name,
                     "what colliders and bodies gave it is no number");
 }
@@ -230,9 +231,9 @@ Result<void> check_shape_part(std::size_t number, const ShapeHead& head, const S
 }
 
 // In the order of for_each_part().
-Result<void> check_cloth_part(std::size_t number, const ClothHead& head, const ClothState& here,
-                              const SaveReader& reader) {
-    const std::string name = "in its cloth " + std::to_string(number) + " ";
+Result<void> check_cloth_part(const std::string& cloth, const ClothHead& head, const ClothState& here,
+                              std::size_t bodies, const SaveReader& reader) {
+    const std::string name = "in " + cloth + " ";
     const SavedNumbers numbers(reader);
     if (!numbers.places_within(2 * std::size_t{head.particles}, farthest_part))
         return unsound(name + "a particle is at no place");
@@ -243,7 +244,7 @@ Result<void> check_cloth_part(std::size_t number, const ClothHead& head, const C
     if (head.frame != 0)
         if (auto frame = check_frame(name, numbers.one<FrameState>()); !frame) return frame;
     if (auto record = check_record(name, head, numbers); !record) return record;
-    if (auto held = check_held(name, here, numbers); !held) return held;
+    if (auto held = check_held(name, here, bodies, numbers); !held) return held;
     if (head.rest != 0)
         if (auto rest = check_rest(name, numbers.one<Rest>()); !rest) return rest;
     if (here.detail)

@@ -4,6 +4,7 @@
 // motion is physical is not checked.
 
 #include <cstddef>
+#include <string>
 
 #include "cloth/simulation/simulation.h"
 #include "cloth/store/save_format.h"
@@ -16,9 +17,10 @@ namespace weft {
 /// Checks the part of a deformed shape, which follows its head.
 [[nodiscard]] Result<void> check_shape_part(std::size_t number, const ShapeHead& head,
                                             const SaveReader& reader);
-/// Checks the part of a cloth, which follows its head. Preconditions: the head fits the cloth here, and all
-/// bytes that it announces are there.
-[[nodiscard]] Result<void> check_cloth_part(std::size_t number, const ClothHead& head, const ClothState& here,
+/// Checks the part of a cloth, which follows its head and has the shares of `bodies`. Preconditions: the head
+/// fits the cloth here, and all bytes that it announces are there.
+[[nodiscard]] Result<void> check_cloth_part(const std::string& cloth, const ClothHead& head,
+                                            const ClothState& here, std::size_t bodies,
                                             const SaveReader& reader);
 
 }  // namespace weft

@@ -7,16 +7,12 @@
 #include "cloth/simulation/simulation.h"
 #include "cloth/store/check_saved.h"
 #include "cloth/store/parts.h"
-#include "cloth/store/save_format.h"
-#include "engine/state_hash.h"
+#include "cloth/store/read_cloth.h"
 
 namespace weft {
 
 namespace {
 
-Error refused(std::string why) {
-    return {ErrorCode::malformed_file, "the save " + std::move(why)};
-}
 Error other_world(std::string why) {
     return {ErrorCode::invalid_argument, "the save is of another World: " + std::move(why)};
 }
@@ -65,13 +61,9 @@ std::uint32_t sewn_of(const Simulation& simulation) {
     return sewn;
 }
 
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
-    StateHash hash;
-    hash.add(bytes);
-    return hash.value();
-}
-
 SaveHead head_of(const Simulation& simulation) {
+    SaveSize before;
+    for_each_part_before_cloths(simulation, before);
     return {.cloths = static_cast<std::uint32_t>(simulation.cloths.size()),
             .colliders = static_cast<std::uint32_t>(simulation.state.colliders.size()),
             .bodies = static_cast<std::uint32_t>(simulation.state.bodies.size()),
@@ -81,27 +73,16 @@ SaveHead head_of(const Simulation& simulation) {
             .deformable = deformable_of(simulation),
             .seams = static_cast<std::uint32_t>(simulation.state.seams.size()),
             .sewn = sewn_of(simulation),
+            .before_cloths = before.bytes(),
             .bytes = save_size(simulation)};
-}
-
-Result<void> check_head(const SaveHead& head, std::span<const std::byte> saved) {
-    if (head.mark != save_mark) return refused("is none of Weft's: it does not begin with WEFTSAVE");
-    if (head.version != save_version)
-        return refused("has version " + std::to_string(head.version) + "; this library reads version " +
-                       std::to_string(save_version));
-    if (head.bytes != saved.size())
-        return refused("has " + std::to_string(head.bytes) + " bytes; " + std::to_string(saved.size()) +
-                       " were given");
-    if (head.hash != hash_of(saved.subspan(sizeof head)))
-        return refused("is damaged: its bytes are not those that were written");
-    return {};
 }
 
 Result<void> check_world(const SaveHead& head, const Simulation& simulation) {
     const SaveHead here = head_of(simulation);
     if (head.cloths != here.cloths)
         return other_world("it has " + std::to_string(head.cloths) + " cloths, this one has " +
-                           std::to_string(here.cloths));
+                           std::to_string(here.cloths) +
+                           "; restore_cloths() restores those that have the same ClothSettings::key");
     if (head.colliders != here.colliders)
         return other_world("it has " + std::to_string(head.colliders) + " colliders, this one has " +
                            std::to_string(here.colliders));
@@ -124,79 +105,6 @@ Result<void> check_world(const SaveHead& head, const Simulation& simulation) {
                            std::to_string(here.seams));
     if (head.sewn != here.sewn) return other_world("its seams join other vertices, or are in another order");
     return {};
-}
-
-Result<void> check_cloth(std::size_t number, const ClothHead& saved, const ClothHead& here) {
-    const auto differs = [&](const char* what, std::uint32_t a, std::uint32_t b, const char* because) {
-        return other_world("its cloth " + std::to_string(number) + " has " + std::to_string(a) + ' ' + what +
-                           ", the one here " + std::to_string(b) + because);
-    };
-    if (saved.particles != here.particles)
-        return differs("particles", saved.particles, here.particles, "; give it the mesh that it had");
-    if (saved.mesh != here.mesh)
-        return other_world("its cloth " + std::to_string(number) +
-                           " has other triangles than the one here; give it the mesh that it had");
-    if (saved.record != here.record)
-        return differs("particles in BDF2's record", saved.record, here.record,
-                       "; set the time scheme and the method that it had");
-    if (saved.held != here.held)
-        return differs("particles held by colliders", saved.held, here.held,
-                       "; set the method and the collider response that it had");
-    if (saved.tangles != here.tangles)
-        return differs("particles with contact", saved.tangles, here.tangles,
-                       "; set the self-collision that it had");
-    if (saved.rest != here.rest)
-        return differs("times of rest", saved.rest, here.rest, "; set ClothSettings::sleep_speed as it was");
-    if (saved.skin != here.skin)
-        return differs("places and normals of its skin", saved.skin, here.skin,
-                       "; set the maps of leashes and backstops that it had");
-    if (saved.detail != here.detail)
-        return differs("particles with a budget", saved.detail, here.detail,
-                       "; set WorldSettings::budget to 0 where it was, and above where it was above");
-    if (saved.frame > 1)
-        return refused("has " + std::to_string(saved.frame) + " frames of its cloth " +
-                       std::to_string(number) + "; it must be 0 or 1");
-    return {};
-}
-
-/// Error: fewer bytes are left. A correct checksum does not exclude that: it can be computed for any bytes.
-Result<void> check_left(const SaveReader& reader, std::size_t bytes) {
-    if (reader.left() >= bytes) return {};
-    return refused("is not whole, though its checksum is right: " + std::to_string(bytes) +
-                   " bytes are to follow, of which there are " + std::to_string(reader.left()));
-}
-
-/// Bytes of a cloth's part with the pins and the frame that its head announces.
-std::size_t part_bytes(const ClothState& state, const ClothHead& head) {
-    SaveSize size;
-    for_each_part(state, size);
-    const std::size_t a_pin = sizeof(Pin::particle) + 3 * sizeof(float);
-    const std::size_t has = a_pin * state.pins.size() + (state.frame ? sizeof(FrameState) : 0);
-    return size.bytes() + a_pin * head.pins + head.frame * sizeof(FrameState) - has;
-}
-
-std::vector<Pin> read_pins(const SaveReader& reader, std::uint32_t count) {
-    std::vector<Pin> pins(count);
-    visit_pins(pins, reader);
-    return pins;
-}
-
-/// Parts of a saved cloth that may differ from the cloth here.
-struct Saved {
-    std::vector<Pin> pins;
-    bool in_frame;
-};
-
-/// Reads a cloth's head. Error: bytes are missing, do not fit the cloth here, or hold unsound values.
-Result<ClothHead> check_next_cloth(std::size_t number, const ClothState& here, std::uint32_t fingerprint,
-                                   const SaveReader& reader) {
-    ClothHead head;
-    if (auto there = check_left(reader, sizeof head); !there) return there.error();
-    reader(std::span(&head, 1));
-    if (auto fits = check_cloth(number, head, ClothHead(here, fingerprint)); !fits) return fits.error();
-    if (auto there = check_left(reader, part_bytes(here, head)); !there) return there.error();
-    if (auto sound = check_cloth_part(number, head, here, reader.after(0)); !sound) return sound.error();
-    return head;
 }
 
 struct SavedDeformation {
@@ -238,20 +146,27 @@ Result<std::vector<SavedDeformation>> prepare_shapes(Simulation& simulation, con
 }
 
 /// Before anything is changed: checks the part of each cloth, and allocates what its pins need.
-Result<std::vector<Saved>> prepare_cloths(Simulation& simulation, const SaveReader& reader) {
-    std::vector<Saved> cloths;
+Result<std::vector<ReadCloth>> prepare_cloths(Simulation& simulation, std::size_t bodies,
+                                              const SaveReader& reader) {
+    std::vector<ReadCloth> cloths;
     Result<void> checked;
     simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
         if (!checked) return;
-        const auto head = check_next_cloth(cloths.size(), cloth->state, cloth->model.fingerprint, reader);
-        if (!head) {
-            checked = head.error();
+        ClothHead head;
+        if (checked = check_left(reader, sizeof head); !checked) return;
+        reader(std::span(&head, 1));
+        const std::string name = "its cloth " + std::to_string(cloths.size());
+        if (head.key != cloth->settings.key) {
+            checked = does_not_fit(name + " has the key " + std::to_string(head.key) + ", the one here " +
+                                   std::to_string(cloth->settings.key) +
+                                   "; restore_cloths() finds cloths by their keys");
             return;
         }
-        cloths.push_back({read_pins(reader.after(head->bytes_before_pins()), head->pins), head->frame != 0});
-        cloth->prepare_restore(cloths.back().pins);
-        if (cloths.back().in_frame) cloth->seen_colliders.reserve(simulation.state.colliders.size());
-        reader.skip(part_bytes(cloth->state, *head));
+        auto read = prepare_cloth(simulation, *cloth, name, head, bodies, reader);
+        if (read)
+            cloths.push_back(*std::move(read));
+        else
+            checked = read.error();
     });
     if (!checked) return checked.error();
     if (reader.left() > 0)
@@ -279,23 +194,21 @@ Result<void> save(const Simulation& simulation, std::span<std::byte> to) {
 }
 
 Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
-    SaveHead head;
-    if (saved.size() < sizeof head)
-        return refused("has " + std::to_string(saved.size()) + " bytes; its head alone takes " +
-                       std::to_string(sizeof head));
-    std::memcpy(&head, saved.data(), sizeof head);
-    if (auto checked = check_head(head, saved); !checked) return checked;
-    if (auto checked = check_world(head, simulation); !checked) return checked;
+    const auto head = read_head(saved, save_mark);
+    if (!head) return head.error();
+    if (auto checked = check_world(*head, simulation); !checked) return checked;
     SaveSize of_world;
     for_each_part(std::as_const(simulation.state), of_world);
-    const SaveReader reader(saved.subspan(sizeof head));
+    const SaveReader reader(saved.subspan(sizeof(SaveHead)));
     if (auto there = check_left(reader, of_world.bytes()); !there) return there;
     if (auto sound = check_world_part(simulation.state, reader.after(0)); !sound) return sound;
     const SaveReader ahead = reader.after(of_world.bytes());
     const auto deformations = prepare_shapes(simulation, ahead);
     if (!deformations) return deformations.error();
-    const SaveReader of_cloths = ahead;
-    auto cloths = prepare_cloths(simulation, ahead);
+    if (const std::size_t before = reader.left() - ahead.left(); head->before_cloths != before)
+        return refused("says that " + std::to_string(head->before_cloths) +
+                       " bytes are before its cloths; it must be " + std::to_string(before));
+    auto cloths = prepare_cloths(simulation, head->bodies, ahead);
     if (!cloths) return cloths.error();
 
     // From here on nothing can fail.
@@ -305,15 +218,7 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
         shape->put_back({of_shape->vertices, of_shape->displacements, of_shape->step});
         ++of_shape;
     });
-    auto of_cloth = cloths->begin();
-    simulation.cloths.for_each([&](ClothId, std::unique_ptr<Cloth>& cloth) {
-        of_cloths.skip(sizeof(ClothHead));
-        cloth->state.pins = std::move(of_cloth->pins);
-        cloth->state.frame.reset();
-        if (of_cloth++->in_frame) cloth->state.frame.emplace();
-        for_each_part(cloth->state, of_cloths);
-        simulation.state_has_changed(*cloth);
-    });
+    for (ReadCloth& cloth : *cloths) overwrite_cloth(simulation, cloth);
     for (const std::unique_ptr<SeamRows>& seam : simulation.seam_rows)
         if (seam) seam->forget_forces();
     simulation.clear_contacts();

@@ -19,8 +19,10 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Raised with each change of the format behind the head.
-inline constexpr std::uint32_t save_version = 10;
+inline constexpr std::uint32_t save_version = 11;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
+/// Mark of a save of one cloth: a head, and the cloth's head and part.
+inline constexpr std::array<char, 8> cloth_mark = {'W', 'E', 'F', 'T', 'C', 'L', 'T', 'H'};
 
 struct SaveHead {
     std::array<char, 8> mark = save_mark;
@@ -33,9 +35,10 @@ struct SaveHead {
     std::uint32_t shapes = 0;
     std::uint32_t deformable = 0;  ///< vertices of all shapes
     std::uint32_t seams = 0;
-    std::uint32_t sewn = 0;   ///< hash of what the seams join, see sewn_of()
-    std::uint64_t bytes = 0;  ///< of the whole save
-    std::uint64_t hash = 0;   ///< of all behind the head
+    std::uint32_t sewn = 0;           ///< hash of what the seams join, see sewn_of()
+    std::uint64_t before_cloths = 0;  ///< bytes between this head and that of the first cloth
+    std::uint64_t bytes = 0;          ///< of the whole save
+    std::uint64_t hash = 0;           ///< of all behind the head
 };
 static_assert(std::has_unique_object_representations_v<SaveHead>);
 
@@ -51,37 +54,6 @@ struct ShapeHead {
     }
 };
 static_assert(std::has_unique_object_representations_v<ShapeHead>);
-
-/// Sizes of a cloth's state, in items. Pins and frame may differ from the cloth here; the rest may not.
-struct ClothHead {
-    std::uint32_t pins = 0;
-    std::uint32_t particles = 0;
-    std::uint32_t record = 0;   ///< particles in BDF2's record
-    std::uint32_t held = 0;     ///< particles with collider contact
-    std::uint32_t tangles = 0;  ///< particles with tangle memory
-    std::uint32_t rest = 0;     ///< 1: the cloth may fall asleep
-    std::uint32_t skin = 0;     ///< places and normals
-    std::uint32_t detail = 0;   ///< particles with a budget
-    std::uint32_t frame = 0;    ///< 1: the cloth is in a reference frame
-    std::uint32_t mesh = 0;     ///< ClothModel::fingerprint
-
-    ClothHead() = default;
-    ClothHead(const ClothState& state, std::uint32_t fingerprint)
-        : pins(static_cast<std::uint32_t>(state.pins.size())),
-          particles(state.size()),
-          record(static_cast<std::uint32_t>(state.record.displacements.size())),
-          held(static_cast<std::uint32_t>(state.held.normals.size())),
-          tangles(static_cast<std::uint32_t>(state.tangles.size())),
-          rest(state.rest ? 1 : 0),
-          skin(static_cast<std::uint32_t>(state.skin.places.size() + state.skin.normals.size())),
-          detail(static_cast<std::uint32_t>(state.ahead.size())),
-          frame(state.frame ? 1 : 0),
-          mesh(fingerprint) {}
-
-    /// Offset of the pins: for_each_part() visits positions, previous positions, velocities, normals before.
-    [[nodiscard]] std::size_t bytes_before_pins() const { return 4 * sizeof(Vec4) * particles; }
-};
-static_assert(std::has_unique_object_representations_v<ClothHead>);
 
 /// A visitor that counts the bytes of spans.
 class SaveSize {
@@ -99,6 +71,44 @@ class SaveSize {
   private:
     mutable std::size_t bytes_ = 0;
 };
+
+/// Sizes of a cloth's state, in items. Pins and frame may differ from the cloth here; the rest may not.
+struct ClothHead {
+    std::uint32_t pins = 0;
+    std::uint32_t particles = 0;
+    std::uint32_t record = 0;   ///< particles in BDF2's record
+    std::uint32_t held = 0;     ///< particles with collider contact
+    std::uint32_t tangles = 0;  ///< particles with tangle memory
+    std::uint32_t rest = 0;     ///< 1: the cloth may fall asleep
+    std::uint32_t skin = 0;     ///< places and normals
+    std::uint32_t detail = 0;   ///< particles with a budget
+    std::uint32_t frame = 0;    ///< 1: the cloth is in a reference frame
+    std::uint32_t mesh = 0;     ///< ClothModel::fingerprint
+    std::uint64_t key = 0;      ///< ClothSettings::key
+    std::uint64_t bytes = 0;    ///< of the part that follows
+
+    ClothHead() = default;
+    ClothHead(const ClothState& state, std::uint32_t fingerprint, std::uint64_t of_host)
+        : pins(static_cast<std::uint32_t>(state.pins.size())),
+          particles(state.size()),
+          record(static_cast<std::uint32_t>(state.record.displacements.size())),
+          held(static_cast<std::uint32_t>(state.held.normals.size())),
+          tangles(static_cast<std::uint32_t>(state.tangles.size())),
+          rest(state.rest ? 1 : 0),
+          skin(static_cast<std::uint32_t>(state.skin.places.size() + state.skin.normals.size())),
+          detail(static_cast<std::uint32_t>(state.ahead.size())),
+          frame(state.frame ? 1 : 0),
+          mesh(fingerprint),
+          key(of_host) {
+        SaveSize size;
+        for_each_part(state, size);
+        bytes = size.bytes();
+    }
+
+    /// Offset of the pins: for_each_part() visits positions, previous positions, velocities, normals before.
+    [[nodiscard]] std::size_t bytes_before_pins() const { return 4 * sizeof(Vec4) * particles; }
+};
+static_assert(std::has_unique_object_representations_v<ClothHead>);
 
 /// A visitor that writes spans one behind the other.
 class SaveWriter {

@@ -281,6 +281,30 @@ Result<void> World::restore(std::span<const std::byte> saved) {
     return impl_->change(Call::restore, saved)([&] { return weft::restore(impl_->simulation, saved); });
 }
 
+Result<std::uint32_t> World::restore_cloths(std::span<const std::byte> saved) {
+    return impl_->change(Call::restore_cloths,
+                         saved)([&] { return weft::restore_cloths(impl_->simulation, saved); });
+}
+
+std::size_t World::cloth_save_size(ClothId id) const noexcept {
+    const auto* const cloth = impl_->is_in_step() ? nullptr : impl_->simulation.cloths.find(id);
+    return cloth == nullptr ? 0 : weft::save_size(**cloth);
+}
+
+Result<void> World::save_cloth(ClothId id, std::span<std::byte> to) const {
+    return impl_->read("save_cloth", [&] {
+        return with_cloth(impl_->simulation, id,
+                          [&](const Cloth& cloth) { return weft::save_cloth(cloth, to); });
+    });
+}
+
+Result<void> World::restore_cloth(ClothId id, std::span<const std::byte> saved) {
+    return impl_->change(Call::restore_cloth, id, saved)([&] {
+        return with_cloth(impl_->simulation, id,
+                          [&](Cloth& cloth) { return weft::restore_cloth(impl_->simulation, cloth, saved); });
+    });
+}
+
 std::uint64_t World::state_hash() const {
     if (impl_->is_in_step()) return 0;
     StateHash hash;

@@ -55,6 +55,8 @@ VertexMap description_of(Map map, std::span<const float> values) {
             return {"Map::thickness", values, 0, 1, 1, greatest};
         case Map::stiffness:
             return {"Map::stiffness", values, 1e-3f, 1e3f, 1, mean};
+        case Map::collider_mask:
+            return {"Map::collider_mask", values, 0, most_collider_mask, 0, WhereWelded::any_bit};
     }
     return {};
 }

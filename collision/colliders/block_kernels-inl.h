@@ -49,7 +49,17 @@ HWY_INLINE PathsLanes no_paths() {
 /// ClothSide's values, from one particle on.
 struct OwnValues {
     const float *thickness, *friction;
+    const Vec4* normals;  ///< null: both sides have the same friction
 };
+
+/// Friction of the side with which the particles touch a surface of this outward normal: see
+/// ClothSide::friction_on().
+HWY_INLINE Lanes own_friction(const OwnValues& own, float of_back, const Lanes3& normal) {
+    const Lanes of_front = load_lanes(own.friction);
+    if (own.normals == nullptr) return of_front;
+    const auto by_back = hn::Gt(dot(xyz(load_rows(own.normals)), normal), set(0));
+    return hn::IfThenElse(by_back, hn::Mul(of_front, set(of_back)), of_front);
+}
 
 /// The cloth's greatest thickness, which shapes are made with, less the particles' own [m].
 HWY_INLINE Lanes missing_thickness(const ClothSide& cloth, const float* thickness) {
@@ -117,7 +127,7 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
     auto surface = shape.surface(p, may_meet);
     if constexpr (Shape::is_swept)
         if (starts.swept) surface = first_met(shape, {0, settings.meeting.thin}, start, p, is_free, surface);
-    const Lanes missing = missing_thickness(block.cloth, own.thickness);
+    const Lanes missing = missing_thickness(*block.cloth, own.thickness);
     const Lanes found = starts.rows != nullptr
                             ? found_depth(shape, is_free, surface, missing, settings.found, starts.rows)
                             : zero;
@@ -131,7 +141,8 @@ HWY_INLINE void collide_part(const Shape& shape, const ContactSettings& settings
         surface.is_near = hn::And(surface.is_near, hn::Gt(surface.penetration, zero));
     }
     if (hn::AllFalse(d, surface.is_near)) return;
-    const Lanes friction = hn::Mul(load_lanes(own.friction), set(settings.friction));
+    const Lanes friction =
+        hn::Mul(own_friction(own, block.cloth->back_friction, surface.normal), set(settings.friction));
     const Lanes4 velocity = load_rows(velocities);
     const Lanes3 relative = xyz(velocity) - surface.velocity;
     const Lanes approach = hn::Max(zero, hn::Neg(dot(relative, surface.normal)));
@@ -156,26 +167,29 @@ HWY_INLINE void collide_block(const Shape& shape, const ContactSettings& setting
     PathsLanes paths{set3(bounds.lower), set3(bounds.upper), set(block.paths.longest * block.paths.longest)};
     const auto size = static_cast<std::uint32_t>(block.positions.size());
     const bool swept = settings.meeting.thin > 0, has_starts = !block.starts.empty();
+    const ClothSide& cloth = *block.cloth;
+    const bool has_sides = !cloth.normals.empty();
     std::uint32_t i = 0;
     const Lanes3 none = zero3();
     for (; i + part_lanes <= size; i += part_lanes)
         collide_part(shape, settings, block.held.empty() ? none : xyz(load_rows(&block.held[i])),
                      {has_starts ? &block.starts[i] : nullptr, swept}, &block.positions[i],
                      &block.velocities[i], i, block, paths,
-                     {&block.cloth.thickness[i], &block.cloth.friction[i]});
+                     {&cloth.thickness[i], &cloth.friction[i], has_sides ? &cloth.normals[i] : nullptr});
     if (i < size) {  // a host's array need not fill its last group; padding has w = 0
         Vec4 starts[part_lanes] = {}, positions[part_lanes] = {}, velocities[part_lanes] = {},
-             held[part_lanes] = {};
+             held[part_lanes] = {}, normals[part_lanes] = {};
         std::copy(block.positions.begin() + i, block.positions.end(), positions);
         std::copy(block.velocities.begin() + i, block.velocities.end(), velocities);
         if (!block.held.empty()) std::copy(block.held.begin() + i, block.held.end(), held);
         if (has_starts) std::copy(block.starts.begin() + i, block.starts.end(), starts);
         alignas(64) float thickness[part_lanes] = {}, friction[part_lanes] = {};
-        std::copy(block.cloth.thickness.begin() + i, block.cloth.thickness.end(), thickness);
-        std::copy(block.cloth.friction.begin() + i, block.cloth.friction.end(), friction);
+        std::copy(cloth.thickness.begin() + i, cloth.thickness.end(), thickness);
+        std::copy(cloth.friction.begin() + i, cloth.friction.end(), friction);
+        if (has_sides) std::copy(cloth.normals.begin() + i, cloth.normals.end(), normals);
         PathsLanes with_added = paths;
         collide_part(shape, settings, xyz(load_rows(held)), {has_starts ? starts : nullptr, swept}, positions,
-                     velocities, i, block, with_added, {thickness, friction});
+                     velocities, i, block, with_added, {thickness, friction, has_sides ? normals : nullptr});
         for (std::uint32_t k = 0; k < size - i; ++k) {
             block.positions[i + k] = positions[k];
             block.velocities[i + k] = velocities[k];
@@ -216,7 +230,10 @@ HWY_INLINE bool find_nearest_in_block(const Shape& shape, const NearestSought& s
         const Lanes beyond =
             hn::Add(set(sought.reach), missing_thickness(sought.cloth, &sought.cloth.thickness[i]));
         Lanes gap = hn::Sub(beyond, surface.penetration);
-        const Lanes friction = hn::Mul(load_lanes(&sought.cloth.friction[i]), set(sought.settings.friction));
+        const OwnValues own{&sought.cloth.thickness[i], &sought.cloth.friction[i],
+                            sought.cloth.normals.empty() ? nullptr : &sought.cloth.normals[i]};
+        const Lanes friction = hn::Mul(own_friction(own, sought.cloth.back_friction, surface.normal),
+                                       set(sought.settings.friction));
         const Lanes4 moves = with_w(
             surface.velocity, sought.told == Told::friction ? friction : set(sought.settings.restitution));
         auto nearer = surface.is_near;

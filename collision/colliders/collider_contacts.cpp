@@ -19,8 +19,37 @@ FoundDepth found_depth(const ColliderMotion& motion) {
 /// Set in a block's count of particles that met a collider if any is left deep inside one.
 constexpr std::uint32_t left_deep = 1u << 31;
 
-/// Calls use(moving shape, Meeting) unless the shape is farther from the paths than thickness plus reach, or
-/// the cloth's mask excludes it.
+/// A block's properties towards one collider. Particles that do not meet it have a thickness that no depth
+/// makes up for.
+class MaskedSide {
+  public:
+    MaskedSide(const ClothSide& all, const Collider& collider) : all_(all) {
+        if (all.masks.empty()) return;
+        const auto size = static_cast<std::uint32_t>(all.thickness.size());
+        meeting_ = 0;
+        for (std::uint32_t k = 0; k < size; ++k) meeting_ += all.meets(collider, k) ? 1 : 0;
+        if (meeting_ == 0 || meeting_ == size) return;
+        thickness_.fill(out_of_reach);
+        for (std::uint32_t k = 0; k < size; ++k)
+            if (all.meets(collider, k)) thickness_[k] = all.thickness[k];
+        masked_ = all;
+        masked_.thickness = std::span(thickness_).first(size);
+    }
+    MaskedSide(const MaskedSide&) = delete;
+    MaskedSide& operator=(const MaskedSide&) = delete;
+    [[nodiscard]] bool meets_any() const { return meeting_ > 0; }
+    [[nodiscard]] const ClothSide& side() const { return masked_.thickness.empty() ? all_ : masked_; }
+
+  private:
+    static constexpr float out_of_reach = -1e30f;  // [m]
+    const ClothSide& all_;
+    ClothSide masked_;
+    std::uint32_t meeting_ = 1;
+    alignas(64) std::array<float, block_size> thickness_;
+};
+
+/// Calls use(moving shape, Meeting, the block's ClothSide) unless the shape is farther from the paths than
+/// thickness plus reach, or masks exclude it.
 template <class Use>
 void if_near(const ColliderMotion& motion, float h, const ClothSide& cloth, float beyond,
              const BlockPaths& paths, const Use& use) {
@@ -28,8 +57,10 @@ void if_near(const ColliderMotion& motion, float h, const ClothSide& cloth, floa
     const Pace pace{h, motion.fastest};
     const Reach reach{thickness_of(motion, cloth), beyond};
     with_shapes(motion, [&](const auto& start, const auto& end) {
-        if (const auto meeting = may_meet(start, end, pace, reach, paths))
-            use(moving(start, end, pace), *meeting);
+        const auto meeting = may_meet(start, end, pace, reach, paths);
+        if (!meeting) return;
+        const MaskedSide masked(cloth, motion.end);
+        if (masked.meets_any()) use(moving(start, end, pace), *meeting, masked.side());
     });
 }
 
@@ -83,7 +114,7 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
     bool is_clear = true, found = false;
     for (const ColliderMotion& motion : colliders) {
         if (&motion == skipped) continue;
-        if_near(motion, h, cloth, reach, paths, [&](const auto& shape, const Meeting& meeting) {
+        const auto search = [&](const auto& shape, const Meeting& meeting, const ClothSide& side) {
             if (is_clear) clear(near, reach);
             is_clear = false;
             const ContactSettings settings{.thickness = thickness_of(motion, cloth),
@@ -93,10 +124,11 @@ bool find_nearest_of(std::span<const ColliderMotion> colliders, const ClothSide&
                                            .found = found_depth(motion),
                                            .meeting = starts.empty() ? Meeting{} : meeting};
             if (!bodies.empty()) before = near.surfaces.w;
-            found |= find_nearest(shape, {settings, cloth, reach, starts, size, told}, near);
+            found |= find_nearest(shape, {settings, side, reach, starts, size, told}, near);
             for (std::size_t i = 0; i < bodies.size(); ++i)
                 if (near.surfaces.w[i] < before[i]) take_body(motion, i, near, bodies);
-        });
+        };
+        if_near(motion, h, cloth, reach, paths, search);
     }
     if (near.has_inside) choose_surfaces(size, reach, near, bodies);
     return found;
@@ -158,11 +190,16 @@ class Emerging {
         return way * vector_of(block_.left->surfaces, k);
     }
     void find_others(std::uint32_t number, std::span<const Vec4> points, NearSurfaces& near) const {
-        alignas(64) std::array<float, block_size> thickness{}, friction{};
+        alignas(64) std::array<float, block_size> thickness{}, friction{}, masks;
         for (std::uint32_t m = 0; m < size_; ++m) thickness[m] = cloth_.thickness[particles_[m]];
         ClothSide side = cloth_;
         side.thickness = std::span(thickness).first(size_);
         side.friction = std::span(friction).first(size_);
+        side.normals = {};
+        if (!cloth_.masks.empty()) {
+            for (std::uint32_t m = 0; m < size_; ++m) masks[m] = cloth_.masks[particles_[m]];
+            side.masks = std::span(masks).first(size_);
+        }
         const BlockPaths paths = place({}, points, 0, points, near.points);
         if (!find_nearest_of(colliders_, side, h_, reach, {}, paths, size_, Told::friction, near, {},
                              &colliders_[number]))
@@ -186,12 +223,13 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
                          .held = particles.held,
                          .starts = starts,
                          .paths = paths_of(starts, particles.positions),
-                         .cloth = cloth,
+                         .cloth = &cloth,
                          .left = &left};
     for (std::uint32_t number = 0; number < colliders.size(); ++number) {
         const ColliderMotion& motion = colliders[number];
         block.collider = number;
-        if_near(motion, h, cloth, 0, block.paths, [&](const auto& shape, const Meeting& meeting) {
+        const auto meet = [&](const auto& shape, const Meeting& meeting, const ClothSide& side) {
+            block.cloth = &side;
             collide(shape,
                     {.thickness = thickness_of(motion, cloth),
                      .friction = motion.end.friction,
@@ -201,7 +239,8 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
                      .found = found_depth(motion),
                      .meeting = starts.empty() ? Meeting{} : meeting},
                     block);
-        });
+        };
+        if_near(motion, h, cloth, 0, block.paths, meet);
     }
     const std::uint32_t met = std::accumulate(block.met.begin(), block.met.end(), 0u);
     if (!block.has_left) return met;

@@ -51,7 +51,7 @@ struct CollidingBlock {
     std::span<Vec4> positions, velocities;
     std::span<const Vec4> held, starts;  ///< see CollidingParticles
     BlockPaths paths;                    ///< paths of all finite particles, kept current as they are moved
-    const ClothSide& cloth;              ///< properties of these particles
+    const ClothSide* cloth;              ///< properties of these particles towards the collider in work
     alignas(64) std::array<std::uint32_t, block_size> met{};  ///< 1 for a particle that met a collider
     std::uint32_t collider = 0;                               ///< index of the collider in work
     bool has_left = false;       ///< whether any is left inside; else `left` is not written

@@ -26,7 +26,7 @@ std::uint32_t filter_block(const NearSurfaces& near, std::span<Vec4> velocities)
 }  // namespace
 
 std::uint32_t filter_velocities(Parallel& parallel, std::span<const ColliderMotion> colliders,
-                                std::uint32_t mask, float h, std::span<const Vec4> positions,
+                                const ClothSide& cloth, float h, std::span<const Vec4> positions,
                                 std::span<Vec4> velocities, std::span<std::uint32_t> block_partials) {
     if (colliders.empty()) return 0;
     const auto block = [&](const BlockRange& range) {
@@ -35,7 +35,8 @@ std::uint32_t filter_velocities(Parallel& parallel, std::span<const ColliderMoti
         const std::span<Vec4> of_block = velocities.subspan(range.begin, size);
         alignas(64) static constexpr std::array<float, block_size> none{};
         const std::span<const float> of_block_none = std::span(none).first(size);
-        const ClothSide side{.thickness = of_block_none, .friction = of_block_none, .mask = mask};
+        ClothSide side{.thickness = of_block_none, .friction = of_block_none, .mask = cloth.mask};
+        if (!cloth.masks.empty()) side.masks = cloth.masks.subspan(range.begin, size);
         const bool any = find_near_surfaces(colliders, side, h, 0, {}, positions.subspan(range.begin, size),
                                             0, of_block, near);
         return any ? filter_block(near, of_block) : 0u;

@@ -52,13 +52,29 @@ struct ClothSide {
     float restitution = 0;
     std::uint32_t mask = ~0u;  ///< collider layers that it meets
     float least_bounce = 0;    ///< slower impacts do not bounce [m/s]
+    /// Layers, of those in `mask`, that each particle meets, as whole numbers; empty: all of them.
+    std::span<const float> masks = {};
+    /// The cloth's normal at each particle, out of its front; empty: both sides have the same friction.
+    std::span<const Vec4> normals = {};
+    float back_friction = 1;  ///< friction of the back over `friction`, with `normals`
 
     [[nodiscard]] bool meets(const Collider& collider) const { return (collider.layers & mask) != 0; }
+    [[nodiscard]] bool meets(const Collider& collider, std::uint32_t particle) const {
+        const std::uint32_t own = masks.empty() ? mask : mask & static_cast<std::uint32_t>(masks[particle]);
+        return (collider.layers & own) != 0;
+    }
+    /// Friction coefficient of the side with which the particle touches a surface of this outward normal.
+    [[nodiscard]] float friction_on(const Vector3& normal, std::uint32_t particle) const {
+        const bool by_back = !normals.empty() && xyz(normals[particle]).dot(normal) > 0;
+        return by_back ? back_friction * friction[particle] : friction[particle];
+    }
     /// The properties of `size` particles from `begin` on.
     [[nodiscard]] ClothSide part(std::uint32_t begin, std::uint32_t size) const {
         ClothSide part = *this;
         part.thickness = thickness.subspan(begin, size);
         part.friction = friction.subspan(begin, size);
+        if (!masks.empty()) part.masks = masks.subspan(begin, size);
+        if (!normals.empty()) part.normals = normals.subspan(begin, size);
         return part;
     }
 };

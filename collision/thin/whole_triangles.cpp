@@ -110,6 +110,17 @@ struct WholeTriangles::Meeting {
         }
         return paths;
     }
+    /// Whether two corners or more meet the collider.
+    [[nodiscard]] bool may_meet(const Triangle& corners) const {
+        return meets_side(corners, 0) || meets_side(corners, 1) || meets_side(corners, 2);
+    }
+    /// Whether all three corners meet it, or those of the k-th side.
+    [[nodiscard]] bool meets(const Triangle& corners) const {
+        return std::ranges::all_of(corners, [&](std::uint32_t i) { return cloth.meets(motion.end, i); });
+    }
+    [[nodiscard]] bool meets_side(const Triangle& corners, std::size_t k) const {
+        return cloth.meets(motion.end, corners[k]) && cloth.meets(motion.end, corners[(k + 1) % 3]);
+    }
     void push(const Triangle& corners, const Approach& approach) const;
 };
 
@@ -117,14 +128,14 @@ struct WholeTriangles::Meeting {
 // Coulomb's friction moves positions, too, as in collide().
 void WholeTriangles::Meeting::push(const Triangle& corners, const Approach& approach) const {
     float rubs = 0;
+    const Vector3 normal = cores.in_world(approach.normal);
     Vector3 velocity = -cores.velocity_at(approach.core);
     for (std::size_t k = 0; k < 3; ++k) {
         const float weight = approach.weights[k];
         if (weight == 0) continue;
         velocity += weight * xyz(particles.velocities[corners[k]]);
-        rubs += weight * cloth.friction[corners[k]];
+        rubs += weight * cloth.friction_on(normal, corners[k]);
     }
-    const Vector3 normal = cores.in_world(approach.normal);
     const float along = normal.dot(velocity), arrives = std::max(-along, 0.0f);
     const float taken =
         arrives > cloth.least_bounce ? (1 + restitution_of(motion, cloth)) * arrives : arrives;
@@ -289,7 +300,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
                               meeting.particles.positions, span.first, span.last);
     for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin)) {
         const Triangle& triangle = triangles_[t];
-        if (sides.leave_out(triangle)) continue;
+        if (sides.leave_out(triangle) || !meeting.may_meet(triangle)) continue;
         const CornerPaths corners = meeting.paths(triangle);
         const float way = longest_way(corners);
         const Thinness thinness = slipping.beside(meeting.side(corners), slipping.edges_part(way, meeting.h));
@@ -345,11 +356,11 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
         for (std::size_t k = 0; k < 3; ++k) box.extend(paths.from[k]).extend(paths.to[k]);
         if (!Eigen::AlignedBox3f(box.min() - margin, box.max() + margin).intersects(core.box)) continue;
         if (core.is_point()) {
-            push(core, corners, paths);
+            if (meeting.meets(corners)) push(core, corners, paths);
             continue;
         }
         for (std::size_t k = 0; k < 3; ++k) {
-            if ((owned_[triangle] & (1u << k)) == 0) continue;
+            if ((owned_[triangle] & (1u << k)) == 0 || !meeting.meets_side(corners, k)) continue;
             const std::size_t next = (k + 1) % 3;
             push(core, {corners[k], corners[next], corners[k]},
                  {{paths.from[k], paths.from[next], paths.from[k]},
@@ -371,7 +382,8 @@ std::uint32_t WholeTriangles::find_pierced(Parallel& parallel, const Skewer& ske
         if (!overlap(joined(span.first / block_size, span.last / block_size).ends, bounds)) return;
         const ParticleSides sides(box, positions, positions, span.first, span.last);
         for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin))
-            if (!sides.leave_out(triangles_[t]) && skewer.goes_through(triangles_[t], positions))
+            if (!sides.leave_out(triangles_[t]) && meeting.meets(triangles_[t]) &&
+                skewer.goes_through(triangles_[t], positions))
                 near_[range.begin + count++] = t;
     });
     return gather_near();

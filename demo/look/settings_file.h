@@ -8,7 +8,7 @@
 //                   "damping": 2e-4, "stiffening": 0, "bending_ratio": 1},
 //      "method": "multilevel", "iterations": 3, "cloth_substeps": 1,
 //      "self_collision": "avoidance", "layers_apart": 0, "air_drag": 0.2, "gap_to_bodies": 0.005,
-//      "friction": 1}
+//      "friction": 1, "back_friction_ratio": 1}
 //
 // Units are metres, seconds and kilograms. A key that is left out changes nothing; "iterations" are the
 // passes of the method multilevel.

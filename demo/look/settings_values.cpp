@@ -95,7 +95,8 @@ const std::vector<Number>& plain_numbers() {
          [](const Read& r) { return static_cast<double>(r.cloth.self_collision.distance); }},
         number_of("air_drag", 0, 1e6, &Read::cloth, &ClothSettings::air_damping),
         number_of("gap_to_bodies", 0, 10, &Read::cloth, &ClothSettings::thickness),
-        number_of("friction", 0, 1000, &Read::cloth, &ClothSettings::friction)};
+        number_of("friction", 0, 1000, &Read::cloth, &ClothSettings::friction),
+        number_of("back_friction_ratio", 0, 1000, &Read::cloth, &ClothSettings::back_friction_ratio)};
     return all;
 }
 

@@ -105,7 +105,23 @@ bool further_sliders(ClothSettings& settings) {
     }
     changed |= slider("friction", settings.friction, 0, 2, "%.2f",
                       "How well it holds on what it lies on: 0 slides off, 1 lies still.");
+    changed |= slider("back's friction", settings.back_friction_ratio, 0, 4, "%.2f times front's",
+                      "How well its back holds, over its front: below 1 it has a smooth lining.");
     return changed;
+}
+
+/// Of closed cloth: a fan blows it up.
+bool filling_slider(const World& world, ClothId id, Filling& filling) {
+    const auto info = world.filling_info(id);
+    if (!info || info->open_edges > 0 || filling.kind == FillingKind::volume) return false;
+    float pressure = filling.kind == FillingKind::none ? 0 : filling.pressure;
+    if (!slider("blown up", pressure, 0, 20000, pressure > 0 ? "%.0f Pa" : "not at all",
+                "The pressure in it, above that outside: a balloon has some 3000 Pa.", by_factors))
+        return false;
+    filling.pressure = pressure;
+    if (filling.kind != FillingKind::gas)
+        filling.kind = pressure > 0 ? FillingKind::pressure : FillingKind::none;
+    return true;
 }
 
 bool self_collision_controls(ClothSettings& settings) {
@@ -163,6 +179,7 @@ Result<void> cloth_panel(Simulation& simulation) {
     WorldSettings settings = world.settings();
     if (begin_fold("More")) {
         cloth_changed |= further_sliders(*cloth);
+        cloth_changed |= filling_slider(world, simulation.content().cloths.front().id, cloth->filling);
         cloth_changed |= self_collision_controls(*cloth);
         world_changed = world_sliders(settings);
         ImGui::TreePop();

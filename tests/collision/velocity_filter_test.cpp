@@ -18,7 +18,7 @@ std::uint32_t filter(Particles& particles, const std::vector<ColliderMotion>& co
     std::ranges::copy(particles.velocities, velocities.data());
     std::vector<std::uint32_t> partials(block_count(static_cast<std::uint32_t>(positions.size())));
     const std::uint32_t inside =
-        filter_velocities(parallel, colliders, ~0u, h, positions.span(), velocities.span(), partials);
+        filter_velocities(parallel, colliders, {}, h, positions.span(), velocities.span(), partials);
     std::ranges::copy(velocities.span(), particles.velocities.begin());
     return inside;
 }

@@ -45,7 +45,10 @@ class Player {
         for (played = 0; played < script_.operations.size(); ++played) {
             const Operation& operation = script_.operations[played];
             const bool left_out = options_.without && operation.cloth == *options_.without;
-            if (!left_out) call(operation);
+            if (!left_out)
+                call(operation);
+            else
+                leave_out(operation);
             note_reach(operation);
             fingerprints.push_back(fingerprints_now());
         }
@@ -56,6 +59,7 @@ class Player {
 
   private:
     void call(const Operation& operation);
+    void leave_out(const Operation& operation);
     void note_reach(const Operation& operation);
 
     // Each makes the call, and returns its answer where there is one.
@@ -101,6 +105,10 @@ class Player {
     Answered make(const Operation&, const RemoveShape& call);
     Answered make(const Operation&, const Save&);
     Answered make(const Operation&, const Restore& call);
+    Answered make(const Operation& operation, const SaveCloth&);
+    Answered make(const Operation& operation, const RestoreCloth& call);
+    Answered make(const Operation& operation, const Stitch& call);
+    Answered make(const Operation&, const Unstitch& call);
 
     /// What a script says of an instance is which of its shapes it is of.
     [[nodiscard]] Collider resolved(Collider collider) const {
@@ -122,6 +130,7 @@ class Player {
     void check_step(const StepReport& report, std::uint64_t steps_before) const;
     void check_contacts(const StepReport& report) const;
     void check_pins(std::size_t cloth) const;
+    void check_seams(const StepReport& report) const;
 
     [[nodiscard]] WorldSettings with_threads(WorldSettings settings) const {
         // What is out of range stays so: the call must be refused whoever makes it.
@@ -192,6 +201,14 @@ class Player {
         return there;
     }
     std::vector<Kept> saves_;
+    struct KeptCloth {
+        std::vector<std::byte> bytes;  ///< none: the cloth was not there
+        std::map<std::uint32_t, Vec3> pins;
+        std::size_t vertices = 0;
+    };
+    std::vector<std::byte> saved_cloth(ClothId id) const;
+    std::vector<KeptCloth> cloth_saves_;
+    std::vector<std::optional<SeamId>> seams_;
     std::vector<std::size_t> restored_;
 };
 

@@ -102,6 +102,7 @@ void Player::check_step(const StepReport& report, std::uint64_t steps_before) co
     check((report.restored_cloths > 0) == has(report.flags, StepFlags::state_restored),
           "the flag and the count of restored cloths differ");
     check_contacts(report);
+    check_seams(report);
     for (const BodyImpulse& impulse : world_.body_impulses()) {
         const auto state = world_.body_state(impulse.body);
         check(state.ok(), "an impulse of no body");

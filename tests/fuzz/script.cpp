@@ -23,6 +23,7 @@ struct PlannedCloth {
     bool removed = false;
     std::vector<std::uint32_t> pinned;
     bool may_have_maps = false;      ///< of mass or stiffness
+    bool may_have_seams = false;     ///< which few methods have in their equation
     bool may_have_distance = false;  ///< of self-collision, which a mesh of more particles may refuse
 
     [[nodiscard]] std::uint64_t work() const {
@@ -93,6 +94,8 @@ class Author {
     void detach_collider();
     void attach();
     void detach();
+    void stitch();
+    void unstitch();
     void set_enabled();
     void wake();
     void set_importance();
@@ -112,6 +115,7 @@ class Author {
     void deform_shape();
     void remove_shape();
     void save_or_restore();
+    void save_or_restore_cloth();
 
     void add(decltype(Operation::call) call, Answer answer = Answer::accepted,
              std::size_t cloth = Operation::no_cloth) {
@@ -148,6 +152,8 @@ class Author {
     std::size_t bodies_ = 0;
     std::vector<PlannedShape> shapes_;
     std::size_t saves_ = 0;
+    std::size_t seams_ = 0;
+    std::vector<std::size_t> cloth_saves_;  ///< of which cloth each is
 };
 
 void Author::add_operation() {
@@ -193,6 +199,9 @@ void Author::add_operation() {
         {5, &Author::deform_shape},
         {1, &Author::remove_shape},
         {4, &Author::save_or_restore},
+        {3, &Author::stitch},
+        {1, &Author::unstitch},
+        {3, &Author::save_or_restore_cloth},
     };
     std::uint32_t all = 0;
     for (const Choice& choice : choices) all += choice.weight;
@@ -402,7 +411,8 @@ void Author::set_cloth_settings() {
     PlannedCloth& cloth = cloths_[chosen];
     const Drawn<ClothSettings> settings =
         random_cloth_settings(random_, passes_left(cloth.mesh.positions.size(), work() - cloth.work()));
-    const bool may_refuse = cloth.may_have_maps && settings.value.finite_elements.consistent_mass;
+    const bool may_refuse =
+        cloth.may_have_seams || (cloth.may_have_maps && settings.value.finite_elements.consistent_mass);
     if (settings.answer != Answer::refused && !may_refuse) cloth.settings = settings.value;
     note_distance(cloth, settings.value);
     add(SetClothSettings{settings.value},
@@ -575,6 +585,32 @@ void Author::detach() {
     add(Detach{pattern_of_vertices(cloths_[chosen].mesh)}, Answer::either, chosen);
 }
 
+/// Threads that are short or long, weak or never break.
+void Author::stitch() {
+    if (is_apart_) return;  // seams tie cloths together
+    const std::size_t a = any_of(cloths_), b = random_.chance(0.2) ? a : any_of(cloths_);
+    Stitch call{b, pattern_of_vertices(cloths_[a].mesh), {}, {}};
+    if (call.vertices.size() > 12) call.vertices.resize(12);
+    for (std::size_t k = 0; k < call.vertices.size(); ++k)
+        call.others.push_back(random_.below(cloths_[b].mesh.positions.size()));
+    call.settings.rest_length = random_.chance(0.5) ? 0 : random_.of_any_size(1e-3f, 1);
+    if (random_.chance(0.5)) call.settings.break_force = random_.of_any_size(1e-2f, 100);
+    if (random_.chance(0.3)) call.settings.stiffness = random_.of_any_size(1, 1e4f);
+    Answer answer = Answer::either;
+    if (random_.chance(0.05)) {
+        call.settings.stiffness = -1;
+        answer = Answer::refused;
+    } else {
+        cloths_[a].may_have_seams = cloths_[b].may_have_seams = true;
+    }
+    ++seams_;
+    add(std::move(call), answer, a);
+}
+
+void Author::unstitch() {
+    if (seams_ > 0) add(Unstitch{random_.below(seams_)}, Answer::either);
+}
+
 void Author::set_world_settings() {
     const std::uint64_t all = std::max<std::uint64_t>(work(), 1);
     const Drawn<WorldSettings> drawn =
@@ -659,6 +695,15 @@ void Author::save_or_restore() {
     const bool damaged = random_.chance(0.2);
     add(Restore{random_.below(saves_), damaged, static_cast<std::uint32_t>(random_.next())},
         damaged ? Answer::refused : Answer::either);
+}
+
+void Author::save_or_restore_cloth() {
+    if (cloth_saves_.empty() || random_.chance(0.4)) {
+        cloth_saves_.push_back(any_of(cloths_));
+        return add(SaveCloth{}, Answer::either, cloth_saves_.back());
+    }
+    const std::size_t save = random_.below(cloth_saves_.size());
+    add(RestoreCloth{save}, Answer::either, cloth_saves_[save]);
 }
 
 void Author::start_trace() {

@@ -91,6 +91,15 @@ struct Attach {
 struct Detach {
     std::vector<std::uint32_t> vertices;
 };
+/// Sews vertices to those of another cloth, or of the same.
+struct Stitch {
+    std::size_t other;  ///< its place among all cloths that were added
+    std::vector<std::uint32_t> vertices, others;
+    SeamSettings settings;
+};
+struct Unstitch {
+    std::size_t seam;  ///< its place among all that were sewn
+};
 struct SetWorldSettings {
     WorldSettings settings;
 };
@@ -141,6 +150,10 @@ struct Restore {
     bool damaged;
     std::uint32_t where;  ///< the byte, but for whole saves
 };
+struct SaveCloth {};
+struct RestoreCloth {
+    std::size_t save;  ///< its place among all saves of cloths
+};
 
 struct Operation {
     static constexpr std::size_t no_cloth = ~std::size_t{0};
@@ -149,7 +162,8 @@ struct Operation {
                  MoveCollider, PlaceCollider, RemoveCollider, AddBody, SetBody, RemoveBody, AttachCollider,
                  Attach, Detach, SetWorldSettings, Step, StartTrace, MoveWorld, MoveCloth, ResetCloth,
                  SetFrame, LeaveFrame, SetMap, SetSkin, ShiftOrigin, MovePins, AddShape, DeformShape,
-                 RemoveShape, Save, Restore, Recut, SetEnabled, Wake, SetImportance, DetachCollider, Ask>
+                 RemoveShape, Save, Restore, Recut, SetEnabled, Wake, SetImportance, DetachCollider, Ask,
+                 Stitch, Unstitch, SaveCloth, RestoreCloth>
         call;
     Answer answer = Answer::accepted;  ///< as far as the call's own values go: an id may be stale, too
     std::size_t cloth = no_cloth;      ///< its place among all that were added

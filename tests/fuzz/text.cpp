@@ -123,6 +123,7 @@ std::string text_of(const ClothSettings& s) {
                                     text_of(s.air_damping),
                                     text_of(s.thickness),
                                     text_of(s.friction),
+                                    text_of(s.back_friction_ratio),
                                     text_of(s.restitution),
                                     text_of(s.collider_mask),
                                     text_of(s.collider_response),
@@ -136,7 +137,8 @@ std::string text_of(const ClothSettings& s) {
                                     text_of(s.teleport_angle),
                                     text_of(s.gravity_scale),
                                     text_of(s.wind_scale),
-                                    text_of(s.filling)});
+                                    text_of(s.filling),
+                                    std::to_string(s.key)});
 }
 
 static std::string text_of(const AirSource& a) {
@@ -273,6 +275,16 @@ static std::string text_of(const Attach& call) {
 static std::string text_of(const Detach& call) {
     return "detach(" + text_of(call.vertices) + ")";
 }
+static std::string text_of(const Stitch& call) {
+    return "stitch(" + text_of(call.vertices) + ", cloth " + text_of(call.other) + ", " +
+           text_of(call.others) + ", " +
+           braced("SeamSettings", {text_of(call.settings.rest_length), text_of(call.settings.break_force),
+                                   text_of(call.settings.stiffness)}) +
+           ")";
+}
+static std::string text_of(const Unstitch& call) {
+    return "unstitch(seam " + text_of(call.seam) + ")";
+}
 static std::string text_of(const SetWorldSettings& call) {
     return "set_settings(" + text_of(call.settings) + ")";
 }
@@ -307,6 +319,13 @@ static std::string text_of(const Save&) {
 }
 static std::string text_of(const Restore& call) {
     return "restore(save " + text_of(call.save) + (call.damaged ? ", damaged)" : ")");
+}
+
+static std::string text_of(const SaveCloth&) {
+    return "save_cloth()";
+}
+static std::string text_of(const RestoreCloth& call) {
+    return "restore_cloth(save " + text_of(call.save) + " of a cloth)";
 }
 
 static std::string text_of(const Transform& t) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <new>
 #include <string>
 #include <vector>
@@ -119,6 +120,76 @@ TEST(WornCloth, TakesNoMemoryAndHasTheSameBytesOnAnyThreads) {
     EXPECT_EQ(hash_of_worn_cloth(3, together), expected);
     EXPECT_EQ(alone, 0u);
     EXPECT_EQ(together, 0u);
+}
+
+/// Two panels that are welded at their borders, a hand apart in the middle. Triangles at corners, all of
+/// whose vertices are of both panels, are left out.
+Mesh cushion(std::uint32_t side) {
+    const auto is_border = [&](std::uint32_t v) {
+        const std::uint32_t row = v / side, column = v % side;
+        return row == 0 || column == 0 || row + 1 == side || column + 1 == side;
+    };
+    Mesh mesh;
+    for (const float height : {0.05f, -0.05f}) {
+        Mesh panel = make_sheet({.rows = side, .columns = side}).value();
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (std::uint32_t v = 0; v < side * side; ++v) {
+            panel.positions[v].y += is_border(v) ? 0 : height;
+            mesh.positions.push_back(panel.positions[v]);
+        }
+        for (Triangle t : panel.triangles) {
+            if (std::ranges::all_of(t, is_border)) continue;
+            if (first > 0) std::swap(t[1], t[2]);
+            mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+        }
+    }
+    return mesh;
+}
+
+/// A cushion that hangs from a sheet by a seam, of which stitches break, over ground that half of it meets.
+std::uint64_t hash_of_sewn_cushion(const Filling& filling, int threads, std::uint64_t& allocations) {
+    constexpr std::uint32_t side = 16;
+    World world = World::create({.threads = threads}).value();
+    ClothSettings settings;
+    settings.self_collision = {.method = SelfCollisionMethod::contact};
+    settings.back_friction_ratio = 0.5f;
+    const ClothId sheet =
+        world.add_cloth(make_sheet({.rows = side, .columns = side}).value(), settings).value();
+    settings.filling = filling;
+    const ClothId filled = world.add_cloth(cushion(side), settings).value();
+    EXPECT_TRUE(world.move_cloth(filled, {.translation = {0, -0.2f, 0}}));
+    std::vector<std::uint32_t> last, first;
+    for (std::uint32_t k = 1; k + 1 < side; ++k) {
+        first.push_back(k);
+        last.push_back(side * (side - 1) + k);
+    }
+    EXPECT_TRUE(world.pin(sheet, first));
+    const SeamId seam =
+        world.stitch(sheet, last, filled, first, {.rest_length = 0.05f, .break_force = 0.3f}).value();
+    EXPECT_TRUE(world.add_collider({.shape = Plane{.offset = -0.5f}}));
+    std::vector<float> masks(2 * side * side, 1);
+    for (std::size_t v = 0; v < masks.size(); v += 2) masks[v] = 2;
+    EXPECT_TRUE(world.set_map(filled, Map::collider_mask, masks));
+    allocations = 0;
+    for (int step = 0; step < 40; ++step) {
+        const std::uint64_t before = allocation_count();
+        EXPECT_FALSE(has(world.step(1.0f / 60).flags, StepFlags::state_restored));
+        if (step > 0) allocations += allocation_count() - before;
+    }
+    EXPECT_LT(world.seam_info(seam)->holding, first.size()) << "none broke";
+    return world.state_hash();
+}
+
+TEST(SewnCushion, TakesNoMemoryAndHasTheSameBytesOnAnyThreads) {
+    for (const Filling& filling :
+         {Filling{.kind = FillingKind::pressure, .pressure = 200},
+          Filling{.kind = FillingKind::gas, .pressure = 500}, Filling{.kind = FillingKind::volume}}) {
+        std::uint64_t alone = 0, together = 0;
+        const std::uint64_t expected = hash_of_sewn_cushion(filling, 1, alone);
+        EXPECT_EQ(hash_of_sewn_cushion(filling, 3, together), expected);
+        EXPECT_EQ(alone, 0u);
+        EXPECT_EQ(together, 0u);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, MethodAllocation, testing::ValuesIn(test::method_cases()),

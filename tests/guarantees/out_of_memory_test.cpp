@@ -329,6 +329,7 @@ std::vector<Call> other_calls() {
     middle[middle.size() / 2] = 1;  // with more links than the corner that is let go
     add("set_map_another_pin", [=](Scene& s) { return s.world.set_map(s.cloth, Map::pin, middle); });
     add("set_map_friction", set_map(Map::friction, 0.5f));
+    add("set_map_collider_mask", set_map(Map::collider_mask, 1));
     add("set_map_leash", set_map(Map::leash, 0.1f));
     calls.push_back({.name = "first_leash", .make = set_map(Map::leash, 0.1f), .bare = true});
     add("set_map_backstop", set_map(Map::backstop, 0.01f));

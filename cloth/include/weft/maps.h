@@ -31,6 +31,14 @@ enum class Map : std::uint8_t {
     /// Factor of Fabric::warp, weft and shear, from 0.001 to 1000; 1 without the map. A triangle, or a
     /// sheet's cell, has the mean of its corners. Not with FiniteElements::consistent_mass.
     stiffness,
+    /// Bits of Collider::layers that the vertex meets, as a whole number from 0 to most_collider_mask, of
+    /// those in ClothSettings::collider_mask: so a sleeve does not meet the torso. Without the map it meets
+    /// all of these. A side meets a thin collider if both its ends do. Of welded vertices all bits count.
+    collider_mask,
 };
+
+/// Greatest value of Map::collider_mask: the lowest 24 layers, the most that a float holds exactly. Vertices
+/// of a cloth with the map do not meet colliders that are in higher layers alone.
+inline constexpr float most_collider_mask = 16777215;
 
 }  // namespace weft

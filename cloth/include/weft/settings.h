@@ -101,6 +101,9 @@ struct ClothSettings {
     float air_damping = 0.2f;  ///< rate at which all velocities decay [1/s], 0 to 1e6
     float thickness = 0.005f;  ///< distance kept from colliders [m], 0 to 10
     float friction = 1.0f;     ///< multiplies the colliders' friction, 0 to 1000
+    /// Friction of the cloth's back, against the normals, over that of its front, 0 to 1000: below 1 for a
+    /// smooth lining. Only towards colliders and bodies.
+    float back_friction_ratio = 1;
     /// Normal velocity of a particle after it hits a collider over that before, 0 to 1; the greater of this
     /// and the collider's own counts, see Collider::restitution.
     float restitution = 0;
@@ -134,6 +137,8 @@ struct ClothSettings {
     /// What fills a closed mesh. The default, nothing, has no cost. A mesh that is not closed is refused. A
     /// cut that opens it (World::recut_cloth) bursts the cloth: the filling becomes FillingKind::none.
     Filling filling{};
+    /// The host's own number of the cloth, by which World::restore_cloths() finds it in a save. 0: none.
+    std::uint64_t key = 0;
 };
 
 /// Kinds of air sources.

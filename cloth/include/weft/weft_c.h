@@ -219,6 +219,13 @@ WEFT_API uint64_t weft_world_state_hash(const WeftWorld* world);
 WEFT_API size_t weft_world_save_size(const WeftWorld* world);
 WEFT_API WeftResult weft_world_save(const WeftWorld* world, void* to, size_t bytes);
 WEFT_API WeftResult weft_world_restore(WeftWorld* world, const void* saved, size_t bytes);
+// restored: number of cloths; may be null.
+WEFT_API WeftResult weft_world_restore_cloths(WeftWorld* world, const void* saved, size_t bytes,
+                                              uint32_t* restored);
+WEFT_API size_t weft_world_cloth_save_size(const WeftWorld* world, WeftClothId id);
+WEFT_API WeftResult weft_world_save_cloth(const WeftWorld* world, WeftClothId id, void* to, size_t bytes);
+WEFT_API WeftResult weft_world_restore_cloth(WeftWorld* world, WeftClothId id, const void* saved,
+                                             size_t bytes);
 
 WEFT_API WeftResult weft_world_start_recording(WeftWorld* world, const char* file);
 WEFT_API WeftResult weft_world_start_recording_to(WeftWorld* world, const WeftRecordingSink* sink);

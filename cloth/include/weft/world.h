@@ -396,6 +396,25 @@ class WEFT_API World {
     /// was altered, checksum included, if it names what is not there or has numbers that are none. Masses
     /// stay those of the cloths here.
     Result<void> restore(std::span<const std::byte> saved);
+    /// Restores of a World's save only the cloths that are here too, after cloths were added or removed:
+    /// those of the same ClothSettings::key, other than 0. Returns how many. All else stays as it is: other
+    /// cloths, colliders, bodies, stitches that broke, the time. Errors, by which nothing changes: as of
+    /// restore() for a cloth, named by its key, such as one that was cut since; two cloths of one key.
+    Result<std::uint32_t> restore_cloths(std::span<const std::byte> saved);
+
+    /// Size of a save of one cloth [bytes]; 0 if the id is stale. It has all that changes of it from step to
+    /// step: places and velocities of this step and the last one, pins with their targets, frame, skin,
+    /// contact and sleep.
+    [[nodiscard]] std::size_t cloth_save_size(ClothId id) const noexcept;
+    /// Writes the first cloth_save_size() bytes. Errors: a stale id; `to` is shorter.
+    Result<void> save_cloth(ClothId id, std::span<std::byte> to) const;
+    /// Restores a save of one cloth, of this cloth or of another one with the same mesh and settings, in any
+    /// World. Where no other cloth meets it, and colliders and wind do as they did, the steps that follow
+    /// give the bytes of those that followed save_cloth(). What bodies gave the cloth is kept if the World
+    /// has as many as it had. Cloth that slept sleeps on: wake() it where what holds it has changed. Where
+    /// cloth is here now, the two are separated. Errors, by which nothing changes: a stale id; those of
+    /// restore().
+    Result<void> restore_cloth(ClothId id, std::span<const std::byte> saved);
 
     /// Starts to record every call that changes the World, with its arguments, and after each step a hash of
     /// each cloth: see replay(). Not recording costs nothing. A recorded step takes longer by a hash of the

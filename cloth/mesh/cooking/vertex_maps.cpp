@@ -1,6 +1,7 @@
 #include "cloth/mesh/cooking/vertex_maps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ Result<void> check(const VertexMap& map, std::size_t vertices) {
             return out_of_range(std::string(map.name) + "[" + std::to_string(i) + "]",
                                 static_cast<double>(value),
                                 "from " + text(map.least) + " to " + text(map.greatest));
+        if (map.where_welded == WhereWelded::any_bit && value != std::floor(value))
+            return out_of_range(std::string(map.name) + "[" + std::to_string(i) + "]",
+                                static_cast<double>(value), "a whole number");
     }
     return {};
 }
@@ -37,6 +41,16 @@ void store_means(const VertexMap& map, std::span<const std::uint32_t> vertex_to_
     for (std::size_t p = 0; p < result.size(); ++p) result[p] = static_cast<float>(sums[p] / counts[p]);
 }
 
+void join_bits(const VertexMap& map, std::span<const std::uint32_t> vertex_to_particle,
+               std::span<float> result) {
+    const auto bits = [](float value) { return static_cast<std::uint32_t>(value); };
+    std::ranges::fill(result, 0.0f);
+    for (std::size_t i = 0; i < vertex_to_particle.size(); ++i) {
+        float& of_particle = result[vertex_to_particle[i]];
+        of_particle = static_cast<float>(bits(of_particle) | bits(map.values[i]));
+    }
+}
+
 }  // namespace
 
 Result<AlignedBuffer<float>> remap_to_particles(const VertexMap& map,
@@ -50,6 +64,10 @@ Result<AlignedBuffer<float>> remap_to_particles(const VertexMap& map,
     if (Result<void> good = check(map, vertex_to_particle.size()); !good) return good.error();
     if (map.where_welded == WhereWelded::mean) {
         store_means(map, vertex_to_particle, result.span());
+        return result;
+    }
+    if (map.where_welded == WhereWelded::any_bit) {
+        join_bits(map, vertex_to_particle, result.span());
         return result;
     }
     const bool least = map.where_welded == WhereWelded::least;

@@ -10,7 +10,12 @@
 namespace weft {
 
 /// The value of a particle into which several vertices were welded.
-enum class WhereWelded : std::uint8_t { mean, least, greatest };
+enum class WhereWelded : std::uint8_t {
+    mean,
+    least,
+    greatest,
+    any_bit,  ///< all bits of their values, which are whole numbers
+};
 
 /// A number for each vertex of a mesh.
 struct VertexMap {

@@ -25,14 +25,16 @@ struct NamedMap {
     Map map;
     float unset, least, most;
 };
-constexpr std::array<NamedMap, 8> named_maps{{{"mass", Map::mass, 1, 0.01f, 100},
-                                              {"pin", Map::pin, 0, 0, 1},
-                                              {"leash", Map::leash, none, 0, none},
-                                              {"backstop", Map::backstop, none, -10, none},
-                                              {"backstop_radius", Map::backstop_radius, none, 1e-3f, none},
-                                              {"friction", Map::friction, 1, 0, 1000},
-                                              {"thickness", Map::thickness, 1, 0, 1},
-                                              {"stiffness", Map::stiffness, 1, 1e-3f, 1000}}};
+constexpr std::array<NamedMap, 9> named_maps{
+    {{"mass", Map::mass, 1, 0.01f, 100},
+     {"pin", Map::pin, 0, 0, 1},
+     {"leash", Map::leash, none, 0, none},
+     {"backstop", Map::backstop, none, -10, none},
+     {"backstop_radius", Map::backstop_radius, none, 1e-3f, none},
+     {"friction", Map::friction, 1, 0, 1000},
+     {"thickness", Map::thickness, 1, 0, 1},
+     {"stiffness", Map::stiffness, 1, 1e-3f, 1000},
+     {"collider_mask", Map::collider_mask, most_collider_mask, 0, most_collider_mask}}};
 
 template <class T>
 std::optional<T> number_of(std::string_view word) {
@@ -68,7 +70,7 @@ class MapsReader {
         if (named == named_maps.end())
             return lines_.error("there is no map " + std::string(name.substr(0, 40)) +
                                 "; there are mass, pin, leash, backstop, backstop_radius, friction, "
-                                "thickness and stiffness");
+                                "thickness, stiffness and collider_mask");
         const std::string_view which = take_word(rest), word = take_word(rest);
         const auto value = number_of<float>(word);
         if (!value || !take_word(rest).empty())

@@ -82,6 +82,8 @@ std::vector<Knob> knobs() {
         {"ClothSettings::air_damping", 0, 1e6f, [](S& s) -> float& { return s.cloth.air_damping; }},
         {"ClothSettings::thickness", 0, 10, [](S& s) -> float& { return s.cloth.thickness; }},
         {"ClothSettings::friction", 0, 1e3f, [](S& s) -> float& { return s.cloth.friction; }},
+        {"ClothSettings::back_friction_ratio", 0, 1e3f,
+         [](S& s) -> float& { return s.cloth.back_friction_ratio; }},
         {"ClothSettings::restitution", 0, 1, [](S& s) -> float& { return s.cloth.restitution; }},
         {"ClothSettings::sleep_speed", 0, 1e3f, [](S& s) -> float& { return s.cloth.sleep_speed; }},
         {"FrameInertia::linear", 0, 1, [](S& s) -> float& { return s.cloth.frame_inertia.linear; }},

@@ -97,6 +97,7 @@ struct EveryCall {
         fibres.method = Fibres{.iterations = 2, .shear = Fibres::SetSolver::ldlt};
         ClothSettings limits;
         limits.method = Multilevel{.passes = 2};
+        limits.key = 7;
         cloths = {world.add_cloth(small_sheet(0.5f), meets).value(),
                   world.add_cloth(small_sheet(0.55f), meets).value(),
                   world.add_cloth(small_sheet(1.5f), fibres).value(),
@@ -125,6 +126,8 @@ struct EveryCall {
     void wear() {
         const Mesh mesh = small_sheet(2.5f);
         EXPECT_TRUE(world.set_map(cloths[3], Map::leash, std::vector<float>(mesh.positions.size(), 0.2f)));
+        EXPECT_TRUE(
+            world.set_map(cloths[3], Map::collider_mask, std::vector<float>(mesh.positions.size(), 3)));
         EXPECT_TRUE(world.set_map(cloths[3], Map::mass, std::vector<float>(mesh.positions.size(), 1.5f)));
         EXPECT_TRUE(world.set_skin(cloths[3], mesh.positions, {}));
         EXPECT_TRUE(world.set_frame(cloths[3], {}));
@@ -172,6 +175,12 @@ struct EveryCall {
         EXPECT_TRUE(world.save(saved));
         step(2);
         EXPECT_TRUE(world.restore(saved));
+        Bytes of_cloth(world.cloth_save_size(cloths[1]));
+        EXPECT_TRUE(world.save_cloth(cloths[1], of_cloth));
+        step(1);
+        EXPECT_TRUE(world.restore_cloth(cloths[1], of_cloth));
+        step(1);
+        EXPECT_EQ(world.restore_cloths(saved).value(), 1u);
     }
     void remove() {
         EXPECT_TRUE(world.unstitch(seam));

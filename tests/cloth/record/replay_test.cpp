@@ -28,7 +28,7 @@ TEST(Replay, HasTheBytesOfEveryStepByAnyThreads) {
         ASSERT_TRUE(replayed) << replayed.error().message;
         EXPECT_FALSE(replayed->difference) << "step " << replayed->difference->step;
         EXPECT_TRUE(replayed->is_whole);
-        EXPECT_EQ(replayed->steps, 19u);
+        EXPECT_EQ(replayed->steps, 21u);
     }
 }
 
@@ -69,7 +69,7 @@ TEST(Replay, NamesTheClothThatDiffersByItsPlace) {
     ASSERT_TRUE(replayed) << replayed.error().message;
     ASSERT_TRUE(replayed->difference);
     EXPECT_EQ(replayed->difference->cloth, 5u);
-    EXPECT_EQ(replayed->difference->step, 16u);
+    EXPECT_EQ(replayed->difference->step, 18u);
 }
 
 TEST(Replay, TellsWhatDiffersBesidesCloth) {

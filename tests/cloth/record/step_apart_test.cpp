@@ -170,6 +170,8 @@ TEST(StepApart, RefusesByNameWhatWouldChangeIt) {
         {"triangles_in_ball", [&] { return answer_of(world.triangles_in_ball({}, 1, {})); }},
         {"set_frame", [&] { return world.set_frame(cloth, {}); }},
         {"leave_frame", [&] { return world.leave_frame(cloth); }},
+        {"restore_cloth", [&] { return world.restore_cloth(cloth, {}); }},
+        {"save_cloth", [&] { return world.save_cloth(cloth, {}); }},
         {"set_map", [&] { return world.set_map(cloth, Map::mass, {}); }},
         {"set_skin", [&] { return world.set_skin(cloth, {}, {}); }},
         {"shift_origin", [&] { return world.shift_origin({}); }},

@@ -42,8 +42,8 @@ constexpr int lines_of() {
     [[maybe_unused]] auto& [e1, e2, e3, e4, e5, e6] = e;
     static_assert(lines_of<SelfCollision>() == 6);
     [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18,
-                            f19, f20, f21, f22] = f;
-    static_assert(lines_of<ClothSettings>() == 22);
+                            f19, f20, f21, f22, f23, f24] = f;
+    static_assert(lines_of<ClothSettings>() == 24);
     [[maybe_unused]] auto& [g1, g2, g3, g4] = g;
     static_assert(lines_of<AirSource>() == 4);
     [[maybe_unused]] auto& [r1, r2, r3, r4, r5, r6, r7] = r;
@@ -272,7 +272,7 @@ static_assert(is(WEFT_RESPONSE_CONTACT, ColliderResponse::contact) &&
 static_assert(is(WEFT_MAP_MASS, Map::mass) && is(WEFT_MAP_PIN, Map::pin) && is(WEFT_MAP_LEASH, Map::leash) &&
               is(WEFT_MAP_BACKSTOP, Map::backstop) && is(WEFT_MAP_BACKSTOP_RADIUS, Map::backstop_radius) &&
               is(WEFT_MAP_FRICTION, Map::friction) && is(WEFT_MAP_THICKNESS, Map::thickness) &&
-              is(WEFT_MAP_STIFFNESS, Map::stiffness));
+              is(WEFT_MAP_STIFFNESS, Map::stiffness) && is(WEFT_MAP_COLLIDER_MASK, Map::collider_mask));
 static_assert(is(WEFT_AIR_NONE, AirSourceKind::none) && is(WEFT_AIR_JET, AirSourceKind::jet) &&
               is(WEFT_AIR_BLAST, AirSourceKind::blast) && is(WEFT_AIR_WAKE, AirSourceKind::wake));
 static_assert(is(WEFT_FILLING_NONE, FillingKind::none) && is(WEFT_FILLING_PRESSURE, FillingKind::pressure) &&

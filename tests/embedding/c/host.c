@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "check.h"
@@ -243,6 +244,16 @@ static WeftClothId add_cloths(WeftWorld* world, const WeftMesh* mesh, const Weft
     return cloth;
 }
 
+static void save_and_restore(WeftWorld* world, WeftClothId cloth) {
+    const size_t bytes = weft_world_cloth_save_size(world, cloth);
+    void* const saved = malloc(bytes);
+    TAKES(weft_world_save_cloth(world, cloth, saved, bytes));
+    REFUSES(WEFT_INVALID_ARGUMENT, "bytes", weft_world_save_cloth(world, cloth, saved, bytes - 1));
+    TAKES(weft_world_restore_cloth(world, cloth, saved, bytes));
+    REFUSES(WEFT_MALFORMED_FILE, "is of one cloth", weft_world_restore_cloths(world, saved, bytes, NULL));
+    free(saved);
+}
+
 static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
     const uint32_t corners[2] = {0, side - 1};
     const Vertex targets[2] = {{{-0.5f, 1.01f, -0.5f}, {0, 1, 0}, {0, 0, 0, 0}},
@@ -277,6 +288,9 @@ static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
     REFUSES(WEFT_INVALID_ARGUMENT, "0 positions", weft_world_reset_cloth(world, other, nothing));
     TAKES(weft_world_set_map(world, cloth, WEFT_MAP_FRICTION, values));
     REFUSES(WEFT_INVALID_ARGUMENT, "map", weft_world_set_map(world, cloth, 77, values));
+    TAKES(weft_world_set_map(world, cloth, WEFT_MAP_COLLIDER_MASK, values));
+    TAKES(weft_world_set_map(world, cloth, WEFT_MAP_COLLIDER_MASK, nothing));
+    save_and_restore(world, cloth);
     TAKES(weft_world_set_map(world, other, WEFT_MAP_LEASH, values));
     TAKES(weft_world_set_skin(world, other, places, nothing));
     TAKES(weft_world_set_map(world, other, WEFT_MAP_LEASH, nothing));

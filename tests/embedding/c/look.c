@@ -167,6 +167,7 @@ void go_back(WeftWorld* world) {
     const size_t bytes = weft_world_save_size(world);
     void* const saved = malloc(bytes);
     const uint64_t hash = weft_world_state_hash(world);
+    uint32_t restored = 7;
     WeftStepReport report = {.struct_size = sizeof report};
     TAKES(weft_world_save(world, saved, bytes));
     REFUSES(WEFT_INVALID_ARGUMENT, "dt", weft_world_step(world, 2));
@@ -179,6 +180,8 @@ void go_back(WeftWorld* world) {
     TAKES(weft_world_restore(world, saved, bytes));
     CHECK(weft_world_state_hash(world) == hash);
     REFUSES(WEFT_MALFORMED_FILE, "", weft_world_restore(world, saved, bytes - 1));
+    TAKES(weft_world_restore_cloths(world, saved, bytes, &restored));
+    CHECK(restored == 0);
     report.struct_size = 3;
     REFUSES(WEFT_INVALID_ARGUMENT, "struct_size", weft_world_report(world, &report));
     free(saved);

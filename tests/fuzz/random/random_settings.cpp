@@ -100,6 +100,7 @@ void spoil(Random& random, ClothSettings& s) {
                              &s.air_damping,
                              &s.thickness,
                              &s.friction,
+                             &s.back_friction_ratio,
                              &s.restitution,
                              &s.frame_inertia.linear,
                              &s.frame_inertia.angular,
@@ -230,7 +231,7 @@ Drawn<Transform> random_transform(Random& random) {
 }
 
 Drawn<Map> random_map(Random& random) {
-    const auto map = static_cast<Map>(random.below(8));
+    const auto map = static_cast<Map>(random.below(9));
     const bool may_refuse =
         map == Map::mass || map == Map::stiffness || map == Map::leash || map == Map::backstop;
     return {map, may_refuse ? Answer::either : Answer::accepted};
@@ -254,6 +255,8 @@ float map_value(Random& random, Map map) {
             return random.unit() < 0.5 ? 1.0f : random.between(0, 1);
         case Map::stiffness:
             return random.of_any_size(0.1f, 10);
+        case Map::collider_mask:
+            return static_cast<float>(random.below(4));
     }
     return 1;
 }
@@ -274,6 +277,15 @@ std::uint64_t passes_of(const ClothSettings& settings) {
         settings.method);
     return static_cast<std::uint64_t>(std::max(settings.substeps, 1)) *
            (8 + static_cast<std::uint64_t>(std::max<std::int64_t>(passes, 0)));
+}
+
+static Filling random_filling(Random& random, Fields& fields) {
+    Filling filling;
+    filling.kind = random.one_of({FillingKind::pressure, FillingKind::gas, FillingKind::volume});
+    filling.pressure = random.chance(0.2) ? -fields.positive(1, 1000) : fields.zero_or_more(1, 5000);
+    filling.volume = random.chance(0.7) ? 0 : fields.positive(1e-3f, 1);
+    if (random.chance(0.2)) filling.outside = fields.zero_or_more(1, 1e5f);
+    return filling;
 }
 
 Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_passes) {
@@ -332,6 +344,12 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     if (random.chance(0.2)) s.wind_scale = random.between(0, 10);
     if (random.chance(0.3)) s.collider_mask = random.below(4);
     if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
+    if (random.chance(0.2)) s.back_friction_ratio = fields.zero_or_more(1e-2f, 10);
+    if (random.chance(0.3)) {
+        s.filling = random_filling(random, fields);
+        // Of a mesh that is not closed, by another method, or with less than no gas it is refused.
+        if (drawn.answer == Answer::accepted) drawn.answer = Answer::either;
+    }
     if (drawn.answer == Answer::refused) spoil(random, s);
     return drawn;
 }

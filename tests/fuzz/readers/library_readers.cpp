@@ -43,6 +43,7 @@ struct FullWorld {
         for (const float height : {0.3f, 0.4f}) {
             Mesh mesh = *sheet;
             for (Vec3& p : mesh.positions) p.y += height;
+            settings.key = cloths.size() + 1;
             cloths.push_back(world.add_cloth(mesh, settings).value());
         }
         must(world.pin(cloths[0], 0).ok(), "a vertex cannot be pinned");
@@ -127,6 +128,34 @@ void seal_save(Bytes& bytes) {
     std::memcpy(bytes.data(), &head, sizeof head);
 }
 
+/// The cloths of a save that the World as a whole refuses.
+bool restores_by_key(World& world, std::span<const std::byte> bytes) {
+    const std::uint64_t before = world.state_hash();
+    const auto restored = world.restore_cloths(bytes);
+    must(restored.ok() || world.state_hash() == before, "cloths were refused, and the World has changed");
+    if (restored) world.step(1.0f / 60);
+    return restored.ok() && *restored > 0;
+}
+
+bool read_cloth_save(Random& random, const std::filesystem::path&) {
+    static const std::unique_ptr<FullWorld> full = std::make_unique<FullWorld>();
+    World& world = full->world;
+    const ClothId cloth = full->cloths[random.below(full->cloths.size())];
+    Bytes saved(world.cloth_save_size(cloth));
+    must(world.save_cloth(cloth, saved).ok(), "a cloth cannot be saved");
+    Bytes bytes = saved;
+    spoil_words(random, std::span(bytes).subspan(random.chance(0.1) ? 0 : sizeof(SaveHead)));
+    if (random.chance(0.95)) seal_save(bytes);
+    const std::uint64_t before = world.state_hash();
+    const auto restored = world.restore_cloth(cloth, bytes);
+    must(restored.ok() || world.state_hash() == before, "a cloth was refused, and the World has changed");
+    if (!restored) return false;
+    full->step(2);
+    check_world(world, full->cloths);
+    must(world.restore_cloth(cloth, saved).ok(), "after a damaged save the whole one is refused");
+    return true;
+}
+
 bool read_save(Random& random, const std::filesystem::path&) {
     static const std::unique_ptr<FullWorld> full = std::make_unique<FullWorld>();
     static const Bytes saved = [] {
@@ -147,7 +176,7 @@ bool read_save(Random& random, const std::filesystem::path&) {
         must(!restored.error().message.empty(), "a refusal without a word");
         must(world.state_hash() == before,
              "a save was refused (" + restored.error().message + ") and changed the World");
-        return false;
+        return restores_by_key(world, bytes);
     }
     full->step(2);
     check_world(world, full->cloths);
@@ -184,7 +213,11 @@ bool read_recording(Random& random, const std::filesystem::path&) {
 }  // namespace
 
 std::vector<Reader> library_readers() {
-    return {{"obj", read_obj}, {"cooked", read_cooked}, {"save", read_save}, {"recording", read_recording}};
+    return {{"obj", read_obj},
+            {"cooked", read_cooked},
+            {"save", read_save},
+            {"cloth_save", read_cloth_save},
+            {"recording", read_recording}};
 }
 
 }  // namespace weft::fuzz

@@ -107,6 +107,8 @@ typedef struct WeftClothSettings {
     float teleport_distance, teleport_angle;
     float gravity_scale, wind_scale;
     WeftFilling filling;
+    float back_friction_ratio;
+    uint64_t key;
 } WeftClothSettings;
 
 // weft/settings.h: AirSource
@@ -167,7 +169,8 @@ enum {
     WEFT_MAP_BACKSTOP_RADIUS,
     WEFT_MAP_FRICTION,
     WEFT_MAP_THICKNESS,
-    WEFT_MAP_STIFFNESS
+    WEFT_MAP_STIFFNESS,
+    WEFT_MAP_COLLIDER_MASK
 };
 
 // weft/collider.h: Collider, with the fields of every shape in one.
