@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 #include "struck_sheet.h"
@@ -75,39 +73,6 @@ TEST(FastColliders, WhatJumpsMeetsNothingOnTheWayInAnyNumberOfParts) {
                 EXPECT_EQ(moved_by_jump(far, beyond, world_substeps, cloth_substeps),
                           moved_by_jump(far, far, world_substeps, cloth_substeps))
                     << kind << ", " << world_substeps << " x " << cloth_substeps;
-            }
-}
-
-// WEFT_STRIKE_TABLE=1: how often, of 20 phases of the step, the sheet is carried; for MEASUREMENTS.md.
-TEST(FastColliders, Table) {
-    if (std::getenv("WEFT_STRIKE_TABLE") == nullptr) GTEST_SKIP() << "a table for people";
-    struct Row {
-        const char* name;
-        Striker::Kind kind;
-        float radius;
-        std::vector<float> speeds;
-    };
-    const Row rows[] = {{"bar", Striker::Kind::bar, 0.005f, {1, 5, 10, 20, 30}},
-                        {"ball", Striker::Kind::ball, 0.05f, {5, 10, 20, 50}},
-                        {"ball20", Striker::Kind::ball, 0.1f, {10, 20, 50}},
-                        {"sword", Striker::Kind::sword, 0.005f, {5, 10, 30}}};
-    for (const Row& row : rows)
-        for (const std::uint32_t side : {32u, 128u})
-            for (const float speed : row.speeds) {
-                int whole = 0;
-                float mean = 0, fastest = 0;
-                for (int phase = 0; phase < strikes; ++phase) {
-                    const Struck struck = strike({row.kind, speed, row.radius}, side,
-                                                 static_cast<float>(phase) / static_cast<float>(strikes));
-                    EXPECT_TRUE(struck.sound);
-                    whole += struck.carried == 1 ? 1 : 0;
-                    mean += struck.carried / strikes;
-                    fastest = std::max(fastest, struck.fastest);
-                }
-                std::printf("%-6s %6u particles %5.0f m/s: whole in %2d of 20, mean %.3f, fastest %.0f m/s\n",
-                            row.name, side * side, static_cast<double>(speed), whole,
-                            static_cast<double>(mean), static_cast<double>(fastest));
-                std::fflush(stdout);
             }
 }
 

@@ -11,7 +11,7 @@
 #include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::feature_contact {
 namespace {
 
 WorldSettings still_air(int threads = 1, Vec3 gravity = {0, -9.81f, 0}) {
@@ -498,4 +498,4 @@ TEST(ContactSettings, CanBeSwitchedAtAnyTimeAndCostNothingWhenOff) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::feature_contact

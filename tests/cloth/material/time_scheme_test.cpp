@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
 
@@ -201,24 +200,6 @@ TEST(Bdf2, DampsNoiseOfStiffCloth) {
     const float first = world.report().peak_speed;
     for (int k = 0; k < 60; ++k) world.step(h);
     EXPECT_LT(world.report().peak_speed, 0.1f * first);
-}
-
-TEST(TimeSchemes, DoNotDependOnTheNumberOfThreads) {
-    const auto hash = [](const Method& method, int threads) {
-        WorldSettings world_settings = vacuum(downwards);
-        world_settings.threads = threads;
-        World world = World::create(world_settings).value();
-        const ClothId id = world.add_cloth(sheet(30, 31), undamped(20, method, TimeScheme::bdf2, 8)).value();
-        (void)world.pin(id, 3);
-        for (int k = 0; k < 6; ++k) world.step(h);
-        return world.state_hash();
-    };
-    for (const Method& method : {Method(ConjugateGradient{.iterations = 5}),
-                                 Method(Chebyshev{.iterations = 5}), Method(SymplecticEuler{})}) {
-        const std::uint64_t serial = hash(method, 1);
-        EXPECT_EQ(hash(method, 2), serial);
-        EXPECT_EQ(hash(method, 8), serial);
-    }
 }
 
 /// The highest angular frequency of a cloth at rest: omega^2 M = -J.

@@ -46,17 +46,6 @@ TEST_P(OnMeshes, InterpolationKeepsTranslationsAndKeptNodes) {
     }
 }
 
-TEST_P(OnMeshes, EveryComponentHasACoarseNode) {
-    const Interpolation& p = levels.multigrid->level(0).interpolation();
-    const auto& offsets = cloth.model.component_offsets;
-    for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
-        const auto members =
-            std::span(cloth.model.component_particles).subspan(offsets[c], offsets[c + 1] - offsets[c]);
-        EXPECT_TRUE(std::ranges::any_of(
-            members, [&](std::uint32_t i) { return std::ranges::binary_search(p.kept, i); }));
-    }
-}
-
 Eigen::MatrixXd dense_interpolation(const Interpolation& p) {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * p.fine, 3 * p.coarse);
     for (std::uint32_t i = 0; i < p.fine; ++i) {
@@ -135,60 +124,6 @@ TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
     EXPECT_LT(difference_off_the_diagonal(coarse, product), 1e-3) << "factors below 1e-4 are left out";
     EXPECT_LT((coarse - coarse.transpose()).norm(), 1e-5 * coarse.norm());
     EXPECT_GT(eigenvalues(coarse)[0], 0);
-}
-
-// A strip whose particles are numbered along it: what a coarse spring sums lies rows apart.
-TEST(Multigrid, TermsAreStoredShortWhereTheyAreNear) {
-    std::vector<Link> links;
-    for (std::uint32_t i = 0; i + 1 < 90; ++i) links.push_back({i, i + 1});
-    SpringGraph graph = graph_between(links, 90);
-    graph.stiffness.assign(graph.neighbours.size(), 1.0f);
-    graph.lengths.assign(graph.neighbours.size(), 1.0f);
-    const Coarsening coarsening = coarsen(graph, components_of(graph), 9, 0);
-    const GalerkinLists as_made = make_galerkin_lists(links, coarsening.interpolation);
-    GalerkinLists lists = as_made;
-    lists.pack_fine_links();
-    EXPECT_TRUE(lists.fine_links.numbers.empty());
-    ASSERT_EQ(lists.fine_links.from_base.size(), as_made.fine_links.numbers.size());
-    std::size_t terms = 0;
-    for (std::uint32_t g = 0; g < lists.groups(); ++g)
-        for (std::uint32_t e = lists.group_slots[g] * 16; e < lists.group_slots[g + 1] * 16; ++e) {
-            EXPECT_LT(lists.fine_links.bases[g] + lists.fine_links.from_base[e], links.size());
-            if (lists.factors[e] == 0) continue;
-            EXPECT_EQ(lists.fine_links.bases[g] + lists.fine_links.from_base[e],
-                      as_made.fine_links.numbers[e]);
-            ++terms;
-        }
-    EXPECT_GT(terms, 40u);
-    std::vector<bool> all(links.size(), true);
-    GalerkinLists::Constants constants = make_galerkin_lists(links, coarsening.interpolation, all).constants;
-    const SharedBuffer<std::uint32_t> before = constants.fine_links.numbers;
-    constants.fine_links.pack(constants.offsets.span(), 1, constants.factors.span());
-    EXPECT_TRUE(constants.fine_links.numbers.empty());
-    for (std::uint32_t k = 0; k < as_made.links.size(); ++k)
-        for (std::uint32_t t = constants.offsets[k]; t < constants.offsets[k + 1]; ++t)
-            EXPECT_EQ(constants.fine_links.of(k, t), before[t]);
-    for (const std::uint32_t more : {65535u, 65536u}) {
-        GalerkinLists far = as_made;
-        far.fine_links.numbers.make_own();
-        std::uint32_t least = ~0u, last = 0;  // of the first group
-        for (std::uint32_t e = 0; e < far.group_slots[1] * 16; ++e) {
-            if (far.factors[e] == 0) continue;
-            if (far.fine_links.numbers[e] <= least) last = e;
-            least = std::min(least, far.fine_links.numbers[e]);
-        }
-        std::uint32_t other = 0;
-        while (other == last || far.factors[other] == 0) ++other;
-        far.fine_links.numbers[other] = far.fine_links.numbers[last] + more;
-        far.pack_fine_links();
-        EXPECT_EQ(far.fine_links.numbers.empty(), more == 65535) << more;
-        if (more == 65535) {
-            EXPECT_EQ(far.fine_links.from_base[other], 65535);
-        } else {
-            EXPECT_TRUE(far.fine_links.from_base.empty());
-            EXPECT_TRUE(far.fine_links.bases.empty());
-        }
-    }
 }
 
 // Springs and what holds nodes apart: rows of springs sum to 0, so that the sum of a row of W is what holds
