@@ -272,23 +272,5 @@ TEST(PinPatterns, LevelsDoNotRememberTheOrderInWhichTheyCameAndWent) {
     }
 }
 
-TEST(PinPatterns, HaveSpringsThatAreReadFromEitherEnd) {
-    for_each_pinned(5, [](Pinned& pinned) {
-        const AlignedBuffer<Vec4> blocks = pinned.system->all_spring_blocks(pinned.serial);
-        for (std::uint32_t i = 0; i < pinned.system->stencil().nodes; ++i) {
-            const ImplicitSystem::Neighbours row = pinned.system->neighbours_of(i);
-            for (std::uint32_t k = 0; k < row.count; ++k) {
-                const std::uint32_t j = row[k];
-                if (i == j || (!pinned.is_free(i) && !pinned.is_free(j))) continue;
-                const auto full = [&](std::uint32_t from, std::uint32_t to) -> Matrix3 {
-                    const Vec4& spring = blocks[pinned.system->entry_between(from, to)];
-                    return spring.w * Matrix3::Identity() + xyz(spring) * xyz(spring).transpose();
-                };
-                EXPECT_LE((full(i, j) - full(j, i)).norm(), 1e-4f * full(i, j).norm());
-            }
-        }
-    });
-}
-
 }  // namespace
 }  // namespace weft::test

@@ -193,31 +193,6 @@ TEST(Multigrid, NeedsFewIterationsAtAnySizeAndStiffness) {
     EXPECT_LE(iterations_needed(waving(loose_sheet(40, 40), corners)), 12);
 }
 
-// A cycle treats all levels alike from either side: also those between the first and the last, which only
-// large cloths have.
-TEST(Multigrid, CyclesOfManyLevelsAreSymmetric) {
-    const Cloth cloth = waving(sheet(130, 130), {{0, 129}});
-    Levels levels(cloth);
-    const std::uint32_t n = 130 * 130;
-    ASSERT_GE(levels.multigrid->levels(), 3u);
-    const auto smooth_rows = [&](float waves) {
-        AlignedBuffer<Vec4> rows(n);
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const float x = static_cast<float>(i % 130) / 129, y = static_cast<float>(i / 130) / 129;
-            if (i != 0 && i != 129) rows[i] = {std::cos(waves * x), std::cos(waves * (x - y)), x * y, 0};
-        }
-        return rows;
-    };
-    std::vector<double> partials(block_count(n));
-    const AlignedBuffer<Vec4> a = smooth_rows(3), b = smooth_rows(14);
-    AlignedBuffer<Vec4> z_a(n), z_b(n);
-    levels.multigrid->cycle(levels.serial, a.span(), z_a.span());
-    levels.multigrid->cycle(levels.serial, b.span(), z_b.span());
-    const double ab = dot(levels.serial, z_a.span(), b.span(), partials),
-                 ba = dot(levels.serial, a.span(), z_b.span(), partials);
-    EXPECT_NEAR(ab / ba, 1, 1e-4);
-}
-
 TEST(Multigrid, CostsWhatItsParticlesCostHoweverManyComponents) {
     const auto bytes_a_particle = [&](std::uint32_t side, std::uint32_t count) {
         const Cloth cloth = waving(many(loose_sheet(side, side), count), {});
@@ -246,16 +221,6 @@ TEST(Multigrid, ComponentsHaveTheLevelsThatTheyWouldHaveAlone) {
         EXPECT_EQ(p.nodes[e], q.nodes[e]);
         EXPECT_NEAR(p.weights[e], q.weights[e], 1e-6f);
     }
-}
-
-TEST(Multigrid, ConvergesOnManyComponentsAsOnTheLargestAlone) {
-    const Mesh large = loose_sheet(30, 30);
-    const int alone = iterations_needed(waving(large, {{0, 29}}));
-    EXPECT_LE(iterations_needed(waving(joined(large, many(loose_sheet(2, 2), 500), {0, 3, 0}), {{0, 29}})),
-              alone + 1);
-    EXPECT_LE(iterations_needed(waving(joined(large, many(loose_sheet(7, 5), 60), {0, 3, 0}), {{0, 29}})),
-              alone + 1);
-    EXPECT_LE(iterations_needed(waving(many(loose_sheet(2, 2), 2000), {})), 8);
 }
 
 }  // namespace
