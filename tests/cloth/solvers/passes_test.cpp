@@ -150,7 +150,7 @@ struct RandomStiffCloth {
 
 // 33 of 60 such cloths gained energy for ever by conjugate gradients without v among their directions.
 TEST(Passes, StiffClothOnCoarseMeshesNeitherGainsEnergyNorWhips) {
-    for (unsigned seed = 1; seed <= 60; ++seed) {
+    for (unsigned seed = 1; seed <= 30; ++seed) {
         RandomStiffCloth random(seed);
         const double before = energy(*random.world->cloth(random.id));
         const double mass = static_cast<double>(random.world->cloth_info(random.id)->mass);

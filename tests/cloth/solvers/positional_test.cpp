@@ -139,8 +139,7 @@ std::uint64_t hash_after_some_frames(const Method& method, int threads, const Ex
 TEST(Positional, HasTheSameBytesForAnyThreads) {
     for (const auto& [name, method] : positional_methods(2)) {
         const std::uint64_t expected = hash_after_some_frames(method, 1, {});
-        for (const int threads : {2, 8})
-            EXPECT_EQ(hash_after_some_frames(method, threads, {}), expected) << name;
+        EXPECT_EQ(hash_after_some_frames(method, 8, {}), expected) << name;
         EXPECT_EQ(hash_after_some_frames(method, 0, backwards), expected) << name;
     }
 }
