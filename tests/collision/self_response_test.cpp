@@ -6,7 +6,7 @@
 #include "engine/vector.h"
 #include "tests/collision/contact/crumpled_sheet.h"
 
-namespace weft::test {
+namespace weft::test::self_response {
 namespace {
 
 constexpr float h = 1.0f / 60;
@@ -228,4 +228,4 @@ TEST(SelfResponse, ParticlesAtOnePointOpenUpAndStayFinite) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::self_response

@@ -9,7 +9,7 @@
 #include "cloth/motion/history.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::step_lengths {
 namespace {
 
 constexpr float h = 1.0f / 60;
@@ -140,4 +140,4 @@ TEST(StepLengths, ClothThatIsAddedBesideAnotherFallsByOneStep) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::step_lengths

@@ -213,7 +213,7 @@ double highest_frequency(Cloth& cloth) {
             .segment<3>(3 * static_cast<Eigen::Index>(i))
             .setConstant(static_cast<double>(cloth.mass(i)));
     }
-    return std::sqrt(modes(w - mass, mass).eigenvalues.maxCoeff()) / h;
+    return std::sqrt(largest_generalised_eigenvalue(w - mass, mass)) / h;
 }
 
 /// Peak speed after `steps` steps of `h`, from noise of a hundredth of a millimetre.
