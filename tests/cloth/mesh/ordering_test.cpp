@@ -35,12 +35,6 @@ std::vector<std::uint32_t> shuffled(std::vector<std::uint32_t> numbers, unsigned
     return numbers;
 }
 
-Mesh shuffled(const Mesh& mesh, unsigned seed) {
-    std::vector<std::uint32_t> numbers(mesh.positions.size());
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    return with_vertices(mesh, shuffled(std::move(numbers), seed));
-}
-
 TEST(Ordering, RenumberingKeepsTheSurface) {
     for (const test::NamedMesh& named : test::sound_meshes()) {
         const Topology before = test::must(build_topology(named.mesh));
