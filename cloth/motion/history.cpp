@@ -8,6 +8,7 @@
 #include "hwy/foreach_target.h"  // before highway.h
 #include "hwy/highway.h"
 
+#include "cloth/equation/sparse/stencil.h"
 #include "engine/simd/lanes-inl.h"
 
 #ifndef WEFT_CLOTH_MOTION_HISTORY_TYPES

@@ -67,27 +67,6 @@ inline Cloth crumpled(const Mesh& mesh, float displacement, float stiffness, std
     return cloth;
 }
 
-/// What survey() finds, by a plain loop.
-inline Survey plain_survey(const ClothState& state) {
-    Vector3 lower = xyz(state.positions[0]), upper = lower;
-    Survey found{};
-    for (std::uint32_t i = 0; i < state.size(); ++i) {
-        lower = lower.cwiseMin(xyz(state.positions[i]));
-        upper = upper.cwiseMax(xyz(state.positions[i]));
-        found.peak_speed_squared = std::max(found.peak_speed_squared, xyz(state.velocities[i]).squaredNorm());
-    }
-    found.lower = to_vec3(lower);
-    found.upper = to_vec3(upper);
-    return found;
-}
-
-inline void expect_like(const Survey& found, const Survey& plain) {
-    EXPECT_TRUE(found.sound);
-    EXPECT_EQ(to_vector(found.lower), to_vector(plain.lower));
-    EXPECT_EQ(to_vector(found.upper), to_vector(plain.upper));
-    EXPECT_NEAR(found.peak_speed_squared, plain.peak_speed_squared, 1e-6f * plain.peak_speed_squared);
-}
-
 /// The equation of one step of length h of backward Euler under gravity, without air.
 inline StepEquation equation_of(const Cloth& cloth, float h, const Vector3& gravity = {0, -9.81f, 0}) {
     return {.settings = cloth.settings,

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
 #include <random>
 #include <set>
 
@@ -11,10 +9,6 @@
 
 namespace weft::test {
 namespace {
-
-std::vector<std::uint32_t> order_of(const HashGrid& grid, std::size_t n) {
-    return {grid.particles(), grid.particles() + n};
-}
 
 std::vector<Vec4> random_cloud(std::uint32_t n, float size, std::uint32_t seed) {
     std::mt19937 random(seed);
@@ -50,66 +44,11 @@ void expect_covers_brute_force(const std::vector<Vec4>& positions, float distanc
     EXPECT_GT(close_pairs, n);  // more than each with itself
 }
 
-TEST(HashGrid, SortsEveryParticleIntoOneSlotWithItsPosition) {
-    const std::vector<Vec4> cloud = random_cloud(3000, 1, 7);
-    Parallel parallel(2);
-    HashGrid grid(3000);
-    grid.build_rows(parallel, cloud, bounds_of(cloud), 0.02f);
-    std::vector<std::uint32_t> particles = order_of(grid, 3000);
-    for (std::size_t s = 0; s < particles.size(); ++s) {
-        EXPECT_EQ(grid.x()[s], cloud[particles[s]].x);
-        EXPECT_EQ(grid.y()[s], cloud[particles[s]].y);
-        EXPECT_EQ(grid.z()[s], cloud[particles[s]].z);
-    }
-    std::sort(particles.begin(), particles.end());
-    for (std::uint32_t i = 0; i < 3000; ++i) EXPECT_EQ(particles[i], i);
-}
-
-TEST(HashGrid, OrderDoesNotDependOnTheNumberOfThreads) {
-    const Sheet sheet = crumpled_sheet(50);
-    const auto n = static_cast<std::uint32_t>(sheet.positions.size());
-    const Bounds bounds = bounds_of(sheet.positions);
-    const auto order = [&](int threads, bool cubes) {
-        Parallel parallel(threads);
-        HashGrid grid(n);
-        if (cubes) {
-            grid.build_cubes(parallel, sheet.positions, bounds, 0.02f, 0.5f);
-        } else {
-            grid.build_rows(parallel, sheet.positions, bounds, 0.02f);
-        }
-        return order_of(grid, n);
-    };
-    for (const bool cubes : {false, true}) {
-        for (const int threads : {2, 3, 8, 100}) EXPECT_EQ(order(threads, cubes), order(1, cubes)) << threads;
-    }
-}
-
-TEST(HashGrid, SlotsAscendWithTheParticleInsideABucket) {
-    const std::vector<Vec4> cloud = random_cloud(4000, 1, 3);
-    Parallel parallel(3);
-    HashGrid grid(4000, 64);
-    grid.build_cubes(parallel, cloud, bounds_of(cloud), 0.1f, 0);
-    for (const Vec4& p : cloud) {
-        const SlotRange bucket = grid.own_bucket(p.x, p.y, p.z);
-        EXPECT_TRUE(std::is_sorted(grid.particles() + bucket.begin, grid.particles() + bucket.end));
-    }
-}
-
 TEST(HashGrid, NearRangesCoverAllClosePairsForAnyTable) {
     const std::vector<Vec4> cloud = random_cloud(600, 1, 11);
     for (const std::uint32_t buckets : {4u, 8u, 64u, 2048u, 1u << 16}) {
         expect_covers_brute_force(cloud, 0.12f, buckets);
     }
-}
-
-TEST(HashGrid, NearRangesCoverClosePairsFarFromTheOriginAndWhenOneParticleFlewOff) {
-    std::vector<Vec4> cloud = random_cloud(600, 1, 12);
-    for (Vec4& p : cloud) p = {p.x + 4000, p.y - 9000, p.z + 12000, 1};
-    expect_covers_brute_force(cloud, 0.12f, 2048);
-    cloud[17] = {1e7f, -1e7f, 3e6f, 1};
-    expect_covers_brute_force(cloud, 0.12f, 2048);
-    cloud[18] = {3e38f, -3e38f, 3e38f, 1};
-    expect_covers_brute_force(cloud, 0.12f, 2048);
 }
 
 TEST(HashGrid, ExactWhereRoundingDecidesTheCell) {
@@ -129,28 +68,6 @@ TEST(HashGrid, ExactWhereRoundingDecidesTheCell) {
         }
         expect_covers_brute_force(line, distance, 1u << 16);
     }
-}
-
-TEST(HashGrid, CoordinatesThatAreNotFiniteNeitherOverflowNorCrowdOneBucket) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
-                    inf = std::numeric_limits<float>::infinity();
-    std::vector<Vec4> cloud(2000, Vec4{nan, inf, -inf, 1});
-    cloud[5] = {1, 2, 3, 1};
-    Parallel parallel(2);
-    HashGrid grid(2000);
-    for (const Bounds& bounds : {Bounds{{nan, inf, -inf}, {nan, nan, nan}}, Bounds{{1, 2, 3}, {1, 2, 3}}}) {
-        grid.build_cubes(parallel, cloud, bounds, 0.1f, 0.5f);
-        EXPECT_LE(grid.own_bucket(1, 2, 3).end - grid.own_bucket(1, 2, 3).begin, 3u);
-        EXPECT_LE(grid.own_bucket(nan, inf, -inf).end - grid.own_bucket(nan, inf, -inf).begin, 3u);
-    }
-}
-
-TEST(HashGrid, EmptyGridHasEmptyRanges) {
-    Parallel parallel(2);
-    HashGrid grid(0);
-    grid.build_rows(parallel, {}, Bounds{{1, 1, 1}, {-1, -1, -1}}, 0.1f);
-    const HashGrid::Near near = grid.near(0, 0, 0);
-    for (std::uint32_t r = 0; r < near.count; ++r) EXPECT_EQ(near.ranges[r].begin, near.ranges[r].end);
 }
 
 }  // namespace

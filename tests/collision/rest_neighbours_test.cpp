@@ -113,11 +113,5 @@ TEST(RestNeighbours, ADistanceOfManyEdgesIsAnErrorThatNamesItUnlessTheClothIsSma
     EXPECT_EQ(whole.filter().neighbours.size(), 256u * 255u);
 }
 
-TEST(RestNeighbours, NoParticlesAndParticlesWithoutJoinsHaveNone) {
-    EXPECT_TRUE(RestNeighbours::find({}, 1).value().filter().offsets.empty());
-    const std::vector<std::uint32_t> offsets{0, 0, 0};
-    EXPECT_FALSE(RestNeighbours::find({offsets, {}, {}}, 1).value().filter().leaves_alone(0, 1));
-}
-
 }  // namespace
 }  // namespace weft::test

@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <random>
 
 #include "collision/particles/self_contacts.h"
 #include "engine/vector.h"
 #include "tests/collision/contact/crumpled_sheet.h"
 
-namespace weft::test {
+namespace weft::test::self_response {
 namespace {
 
 constexpr float h = 1.0f / 60;
@@ -228,22 +227,5 @@ TEST(SelfResponse, ParticlesAtOnePointOpenUpAndStayFinite) {
     }
 }
 
-TEST(SelfResponse, BytesAreTheSameForAnyNumberOfThreads) {
-    for (const float edges : {1.5f, 4.0f}) {
-        Particles one = crowded_sheet();
-        const SelfContactCounts counts = avoid(one, edges / 40, 0.3f, 1);
-        for (const int threads : {2, 3, 8}) {
-            Particles several = crowded_sheet();
-            const SelfContactCounts same = avoid(several, edges / 40, 0.3f, threads);
-            EXPECT_EQ(same.pairs, counts.pairs);
-            EXPECT_EQ(same.dropped, counts.dropped);
-            EXPECT_EQ(same.peak, counts.peak);
-            const std::size_t bytes = one.positions.size() * sizeof(Vec4);
-            EXPECT_EQ(std::memcmp(several.positions.data(), one.positions.data(), bytes), 0);
-            EXPECT_EQ(std::memcmp(several.velocities.data(), one.velocities.data(), bytes), 0);
-        }
-    }
-}
-
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::self_response

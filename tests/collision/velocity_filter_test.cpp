@@ -61,25 +61,5 @@ TEST(VelocityFilter, IsOfTheVelocityRelativeToTheSurface) {
     EXPECT_EQ(particles.velocities[2].y, 0);
 }
 
-TEST(VelocityFilter, IsTheSameForAnyNumberOfThreadsAndLetsNaNBe) {
-    const std::vector<ColliderMotion> colliders{at_rest({.shape = Sphere{{}, 0.6f}}),
-                                                at_rest({.shape = Capsule{{0, 0, 0}, {1, 1, 0}, 0.3f}})};
-    const auto velocities = [&](int threads) {
-        Particles particles = cloud(2000);
-        particles.positions[7].x = nan;
-        particles.positions[8].y = -inf;
-        filter(particles, colliders, threads);
-        std::vector<float> all;
-        for (const Vec4& v : particles.velocities) all.insert(all.end(), {v.x, v.y, v.z});
-        return all;
-    };
-    const std::vector<float> one = velocities(1);
-    for (const int threads : {2, 5}) EXPECT_EQ(velocities(threads), one);
-    Particles particles = cloud(16);
-    const Particles before = particles;
-    EXPECT_EQ(filter(particles, {}), 0u);
-    EXPECT_EQ(particles.velocities[3].x, before.velocities[3].x);
-}
-
 }  // namespace
 }  // namespace weft::test

@@ -1,7 +1,5 @@
 // The program itself, run as people run it.
 
-#include <cstdio>
-
 #include "tests/demo/program_test.h"
 #include "weft/mesh.h"
 
@@ -34,25 +32,6 @@ TEST_F(Program, DoesNotCallClothSofterThanItIsForSingleFrames) {
     }
     const Ran torn = run_headless("--frames 30 --scene yank");
     EXPECT_NE(torn.out.find("A pin was stopped"), std::string::npos) << torn.out;
-}
-
-TEST_F(Program, NamesAnOptionThatIsNotThere) {
-    expect_refusal(run("--self-collision 2"), "--self-collision 2");
-}
-
-TEST_F(Program, SaysThatItsOutputCannotBeWritten) {
-    const auto err = folder() / "stderr.txt";
-    const int status =
-        std::system((std::string(WEFT_DEMO_PROGRAM) + " --list >/dev/full 2>" + err.string()).c_str());
-    EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_EQ(content_of(err), "weft_demo: standard output cannot be written\n");
-}
-
-TEST_F(Program, SaysThatATraceCannotBeWritten) {
-    expect_refusal(run_headless("--frames 1 --trace /nonexistent/trace.json"), "/nonexistent/trace.json");
-    const Ran full = run_headless("--frames 1 --trace /dev/full");
-    EXPECT_EQ(full.status, 1);
-    EXPECT_EQ(std::ranges::count(full.err, '\n'), 1) << full.err;
 }
 
 TEST_F(Program, TakesSettings) {
@@ -115,12 +94,6 @@ TEST_F(Program, TakesAPictureOfEveryNthFrame) {
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_TRUE(std::filesystem::exists(folder() / "out/frame_000002.png"));
     EXPECT_TRUE(std::filesystem::exists(folder() / "out/frame_000004.png"));
-    EXPECT_TRUE(std::filesystem::exists(folder() / "out/final.png"));
-}
-
-TEST_F(Program, TakesAPictureOfTheLastFrameWhereNoOtherIsDue) {
-    const Ran ran = run_headless("--frames 3 --every 20");
-    EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_TRUE(std::filesystem::exists(folder() / "out/final.png"));
 }
 

@@ -109,13 +109,6 @@ TEST_F(FabricFile, ComplainsAboutAMeasuredOnesTables) {
     expect_complaint(R"({"density": 0.2, "colour": 3})", "no \"colour\"");
 }
 
-TEST_F(FabricFile, MustBeThere) {
-    const auto fabric = load_fabric("no-such-folder/a.json");
-    ASSERT_FALSE(fabric.ok());
-    EXPECT_EQ(fabric.error().code, ErrorCode::file_not_found);
-    EXPECT_NE(fabric.error().message.find("no-such-folder/a.json"), std::string::npos);
-}
-
 TEST(FindFabric, TakesNamesAndFiles) {
     const auto denim = find_fabric("denim");
     ASSERT_TRUE(denim.ok());

@@ -66,26 +66,6 @@ TEST(GarmentMesh, HangsAClosedMeshByItsTop) {
     EXPECT_EQ(highest_opening(tetrahedron), std::vector<std::uint32_t>{3});
 }
 
-TEST(GarmentMesh, HangsAnOpenSheetByOneEnd) {
-    const Mesh upright = *make_sheet({.rows = 9, .columns = 6, .u = {1, 0, 0}, .v = {0, -1, 0}});
-    const std::vector<std::uint32_t> top = highest_opening(upright);
-    EXPECT_EQ(top.size(), 6u) << "it can swing";
-    for (const std::uint32_t vertex : top) EXPECT_EQ(upright.positions[vertex].y, 0);
-    const Mesh flat = *make_sheet({.rows = 9, .columns = 6, .u = {1, 0, 0}, .v = {0, 0, 2}});
-    EXPECT_EQ(highest_opening(flat).size(), 6u) << "one of its short ends";
-}
-
-TEST(GarmentMesh, KnowsTheUnitByAGarmentsSize) {
-    for (const float unit : {1.0f, 0.01f, 0.001f}) {
-        Mesh mesh = tube();  // a metre high
-        for (Vec3& p : mesh.positions) p = {p.x / unit, p.y / unit, p.z / unit};
-        EXPECT_EQ(guessed_unit(mesh), unit);
-    }
-    Mesh house = tube();
-    for (Vec3& p : house.positions) p = {5 * p.x, 5 * p.y, 5 * p.z};
-    EXPECT_NEAR(guessed_unit(house), 0.2f, 1e-3f) << "no unit fits: it is as large as a garment";
-}
-
 TEST(GarmentMesh, RefinementQuartersTrianglesAndKeepsSeamsSewn) {
     const Mesh coarse = tube();
     const Mesh fine = refined(coarse);
@@ -102,22 +82,6 @@ TEST(GarmentMesh, DropsAPatternThatIsNotInMetres) {
     drop_unfit_pattern(unit);
     EXPECT_FALSE(metres.pattern.empty());
     EXPECT_TRUE(unit.pattern.empty());
-}
-
-TEST(GarmentMesh, KnowsTheOpeningsOfRealGarments) {
-    WEFT_NEEDS_DATA();
-    for (const char* name : {"tshirt-iso.obj", "skirt-iso.obj", "dress-victor-iso-draped.obj"}) {
-        auto mesh = load_obj(data_folder() / "garments" / name, {.texcoords_are_pattern = true});
-        ASSERT_TRUE(mesh.ok()) << mesh.error().message;
-        stand_upright(*mesh, 0);
-        drop_unfit_pattern(*mesh);
-        EXPECT_FALSE(mesh->pattern.empty()) << name;
-        const std::vector<std::uint32_t> ring = highest_opening(*mesh);
-        EXPECT_GT(ring.size(), 10u) << name;
-        EXPECT_LT(ring.size(), mesh->positions.size() / 10) << name;
-        const float top = std::ranges::max(mesh->positions, {}, [](const Vec3& p) { return p.y; }).y;
-        for (const std::uint32_t vertex : ring) EXPECT_GT(mesh->positions[vertex].y, 0.6f * top) << name;
-    }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "demo/scene_simulation.h"
@@ -71,36 +70,6 @@ TEST_F(Holders, LetGoWithTheCloth) {
     Annotation drawn;
     simulation.scene().annotate(simulation.world(), drawn);
     EXPECT_EQ(drawn.capsules.size(), 1u);
-}
-
-TEST_F(Holders, ACeilingIsDrawnWhereItPresses) {
-    const Simulation simulation = after("crumple", 200);
-    Annotation drawn;
-    simulation.scene().annotate(simulation.world(), drawn);
-    ASSERT_FALSE(drawn.capsules.empty());
-    const float top = simulation.world().cloth(simulation.content().cloths.front().id)->bounds.upper.y;
-    for (const auto& bar : drawn.capsules) {
-        EXPECT_GT(bar.a.y - bar.radius, top - 0.01f);
-        EXPECT_LT(bar.a.y - bar.radius, top + 0.05f);
-    }
-}
-
-TEST(SceneColours, TellSheetsAndTheirSidesApart) {
-    const auto apart = [](const Vec3& a, const Vec3& b) { return (to_vector(a) - to_vector(b)).norm(); };
-    for (const SceneEntry& entry : all_scenes()) {
-        if (entry.group != SceneGroup::lab && entry.group != SceneGroup::meet) continue;
-        const auto simulation = Simulation::create(entry, {.particles = 300}, {});
-        ASSERT_TRUE(simulation.ok());
-        const auto& cloths = simulation->content().cloths;
-        for (const SceneCloth& cloth : cloths)
-            EXPECT_GT(apart(cloth.look.front, cloth.look.back), 0.15f) << entry.name;
-        for (std::size_t k = 1; k < cloths.size(); ++k)
-            EXPECT_GT(apart(cloths[k].look.front, cloths[k - 1].look.front), 0.15f) << entry.name;
-    }
-    const auto crossed = Simulation::create(*find_scene("crossed"), {.particles = 300}, {});
-    const std::vector<Vec4>& tints = crossed->content().cloths.front().tints;
-    ASSERT_FALSE(tints.empty());
-    EXPECT_GT((xyz(tints.front()) - xyz(tints.back())).norm(), 0.3f) << "two sheets of one cloth";
 }
 
 }  // namespace

@@ -12,24 +12,6 @@
 namespace weft::demo {
 namespace {
 
-TEST(StageHistory, KeepsTheLastSteps) {
-    StageHistory history;
-    const int steps = static_cast<int>(StageHistory::length) + 50;
-    for (int i = 0; i < steps; ++i) {
-        const auto time = static_cast<float>(i);
-        const StageTime stages[] = {{.name = "a", .last = time}, {.name = "step", .last = -time}};
-        history.add(stages);
-        EXPECT_EQ(history.at(0, 0), time);
-    }
-    ASSERT_EQ(history.size(), StageHistory::length);
-    for (std::size_t age = 0; age < history.size(); ++age) {
-        EXPECT_EQ(history.at(0, age), static_cast<float>(steps - 1) - static_cast<float>(age));
-        EXPECT_EQ(history.at(1, age), -history.at(0, age));
-    }
-    history.clear();
-    EXPECT_EQ(history.size(), 0u);
-}
-
 /// Dear ImGui without a picture: frames are built, and the pointer is where the test says.
 class Widgets : public testing::Test {
   protected:
@@ -132,19 +114,6 @@ TEST(Panels, SayWhatAClothRefuses) {
     const auto refused = set_all_cloths(*simulation, settings);
     ASSERT_FALSE(refused.ok());
     EXPECT_NE(refused.error().message.find("warp"), std::string::npos) << refused.error().message;
-}
-
-TEST(Panels, SlowTimesFitIntoTheirColumn) {
-    EXPECT_EQ(in_column(1.234f), "1.23");
-    EXPECT_EQ(in_column(99.99f), "99.99");
-    EXPECT_EQ(in_column(1234.5f), "1234");
-    for (const float ms : {0.0f, 9.999f, 99.999f, 999.99f, 5e4f}) EXPECT_LE(in_column(ms).size(), 6u) << ms;
-}
-
-TEST(Panels, MessagesNameNoTypes) {
-    EXPECT_EQ(plain_words("Fabric::warp is -1; it must be from 0 to 1e9 N/m"),
-              "warp is -1; it must be from 0 to 1e9 N/m");
-    EXPECT_EQ(plain_words("/tmp/a: no such file"), "/tmp/a: no such file");
 }
 
 TEST(FlagsText, NamesTheSettingToChange) {

@@ -56,15 +56,6 @@ TEST(Simulation, RefusesWhatTheWorldRefuses) {
     EXPECT_FALSE(Simulation::create(*find_scene("flag"), {}, overrides).ok());
 }
 
-TEST(Simulation, RefusesIterationsOfAMethodThatHasNone) {
-    Overrides overrides;
-    overrides.method = SymplecticEuler{};
-    overrides.iterations = 5;
-    const auto refused = Simulation::create(*find_scene("flag"), {}, overrides);
-    ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().message.find("symplectic-euler"), std::string::npos) << refused.error().message;
-}
-
 TEST(Simulation, RunsTheSameWayAfterARestart) {
     Simulation simulation = small_flag();
     const std::uint64_t first = hash_after(simulation, 20);

@@ -43,19 +43,5 @@ TEST(OutOfRange, NamesTheSettingTheValueAndTheRemedy) {
     EXPECT_EQ(error.message, "ClothSettings::fabric.warp is -3; it must be finite and >= 0 N/m");
 }
 
-TEST(OutOfRange, WritesVectorsByComponent) {
-    const float infinity = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(out_of_range("gravity", Vec3{0, -9.81f, infinity}, "finite").message,
-              "gravity is (0, -9.81, inf); it must be finite");
-}
-
-TEST(IsFinite, LooksAtEveryComponent) {
-    const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_TRUE(is_finite(Vec3{1, 2, 3}));
-    EXPECT_FALSE(is_finite(Vec3{nan, 2, 3}));
-    EXPECT_FALSE(is_finite(Vec3{1, nan, 3}));
-    EXPECT_FALSE(is_finite(Vec3{1, 2, std::numeric_limits<float>::infinity()}));
-}
-
 }  // namespace
 }  // namespace weft

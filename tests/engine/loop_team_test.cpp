@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <set>
@@ -110,21 +109,6 @@ TEST(LoopTeam, SendsAgainForAHelperThatCouldNotBeHad) {
     }
     EXPECT_EQ(sent, 3);
     EXPECT_EQ(visits, 15);
-}
-
-TEST(LoopTeam, RunsALoopWithinABodyOnItsThread) {
-    Loops loops(3);
-    std::vector<std::atomic<int>> visits(8 * 8);
-    std::atomic<int> strangers = 0;
-    loops.run(8, [&](std::uint32_t outer) {
-        const std::thread::id own = std::this_thread::get_id();
-        loops.run(8, [&](std::uint32_t inner) {
-            ++visits[outer * 8 + inner];
-            strangers += std::this_thread::get_id() != own;
-        });
-    });
-    for (const auto& count : visits) EXPECT_EQ(count, 1);
-    EXPECT_EQ(strangers, 0);
 }
 
 }  // namespace

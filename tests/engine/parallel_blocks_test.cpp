@@ -66,16 +66,6 @@ INSTANTIATE_TEST_SUITE_P(Widths, ParallelBlocks,
                                          Case{"Host", 0}),
                          [](const auto& info) { return info.param.name; });
 
-TEST_P(ParallelBlocks, VisitsEachBlockOnce) {
-    Parallel parallel = make();
-    for (const std::uint32_t count : {0u, 1u, 2u, 3u, 7u, 64u, 1000u}) {
-        std::vector<std::atomic<int>> visits(count);
-        parallel.lend([&] { parallel.blocks(count, [&](std::uint32_t block) { ++visits[block]; }); });
-        for (std::uint32_t block = 0; block < count; ++block)
-            EXPECT_EQ(visits[block], 1) << block << " of " << count;
-    }
-}
-
 TEST_P(ParallelBlocks, CutsTheRangeIntoBlocksOfOneSize) {
     Parallel parallel = make();
     for (const std::uint32_t n : {0u, 1u, 255u, 256u, 257u, 5000u}) {
@@ -158,16 +148,6 @@ TEST_P(ParallelBlocks, MayBeUsedFromWithinABlock) {
         });
     });
     for (const auto& count : visits) EXPECT_EQ(count, 1);
-}
-
-TEST_P(ParallelBlocks, WorksAfterBeingMoved) {
-    Parallel first = make();
-    const int width = first.width();
-    Parallel second = std::move(first);
-    EXPECT_EQ(second.width(), width);
-    std::atomic<int> visits = 0;
-    second.lend([&] { second.blocks(100, [&](std::uint32_t) { ++visits; }); });
-    EXPECT_EQ(visits, 100);
 }
 
 #ifndef WEFT_WITHOUT_THREADS

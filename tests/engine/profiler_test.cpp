@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -143,15 +142,6 @@ TEST(Profiler, RollsItsPercentilesOverTheWindow) {
     }
 }
 
-TEST(Profiler, ForgetsAPeakThatHasLeftTheWindow) {
-    Profiler profiler(two_stages);
-    run_step(profiler, std::chrono::milliseconds(2));
-    for (std::uint32_t step = 1; step < Profiler::window; ++step) run_step(profiler);
-    EXPECT_GE(profiler.stages()[forces].max, 2.0f);
-    run_step(profiler);
-    EXPECT_LT(profiler.stages()[forces].max, 2.0f);
-}
-
 #ifndef WEFT_WITHOUT_FILES
 class Trace : public testing::Test {
   protected:
@@ -288,40 +278,6 @@ TEST_F(Trace, StopsWhenItIsFull) {
     ASSERT_TRUE(profiler.start_trace(7).ok());
     for (int step = 0; step < 10; ++step) run_step(profiler);
     EXPECT_EQ(complete_events(written(profiler)).size(), 7u);
-}
-
-TEST_F(Trace, StartsAfreshWhenStartedAgain) {
-    Profiler profiler(two_stages);
-    ASSERT_TRUE(profiler.start_trace(100).ok());
-    run_step(profiler);
-    ASSERT_TRUE(profiler.start_trace(100).ok());
-    run_step(profiler);
-    EXPECT_EQ(complete_events(written(profiler)).size(), 2u);
-}
-
-TEST_F(Trace, RefusesMoreEventsThanItsLimitAndKeepsWhatItHas) {
-    Profiler profiler(two_stages);
-    ASSERT_TRUE(profiler.start_trace(100).ok());
-    run_step(profiler);
-    constexpr std::size_t limit = std::size_t{1} << 26;
-    for (const std::size_t max_events :
-         {std::size_t{0}, limit + 1, std::size_t{1} << 63, std::numeric_limits<std::size_t>::max()}) {
-        const auto result = profiler.start_trace(max_events);
-        ASSERT_FALSE(result.ok()) << max_events;
-        EXPECT_EQ(result.error().code, ErrorCode::invalid_argument);
-        EXPECT_EQ(result.error().message,
-                  "max_events is " + std::to_string(max_events) + "; it must be 1 to 67108864");
-    }
-    run_step(profiler);
-    EXPECT_EQ(complete_events(written(profiler)).size(), 4u);
-}
-
-TEST_F(Trace, SaysThatItWasNotStarted) {
-    const auto result = Profiler(two_stages).write_trace(file_);
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().code, ErrorCode::invalid_argument);
-    EXPECT_NE(result.error().message.find("start_trace"), std::string::npos);
-    EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
 TEST_F(Trace, NamesTheFileThatCannotBeWritten) {

@@ -62,7 +62,7 @@ TEST_P(MethodAllocation, DoesNotHappenInAWarmStepWhateverIsPinned) {
             SCOPED_TRACE(pins.name + ", " + std::to_string(threads) + " threads");
             test::LoweredSheet run(GetParam(), threads, side, pins);
             const WarmSteps seen =
-                folds ? allocations_when_warm(run, 30, 60) : allocations_when_warm(run, 15, 15);
+                folds ? allocations_when_warm(run, 30, 30) : allocations_when_warm(run, 15, 15);
             EXPECT_EQ(seen.count, 0u);
             EXPECT_EQ(seen.restored, 0u);
             EXPECT_GT(seen.collider_contacts, 0u);

@@ -12,7 +12,7 @@
 namespace weft::demo {
 namespace {
 
-constexpr int frames = WEFT_GUARANTEE_FRAMES / 2;  // golden hashes hold all of them
+constexpr int frames = WEFT_GUARANTEE_FRAMES / 3;  // golden hashes hold all of them
 
 // A host's executor of one thread, from the last block to the first. It claims two, since of one it would not
 // be called.

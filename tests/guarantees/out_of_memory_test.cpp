@@ -78,7 +78,7 @@ Answer without_value(const Result<T>& result) {
 /// others of them. WEFT_EVERY_ALLOCATION tries them all, which takes half an hour.
 std::uint64_t next_tried(std::uint64_t allowed, std::size_t shift = 0) {
     static const bool every = std::getenv("WEFT_EVERY_ALLOCATION") != nullptr;
-    constexpr std::uint64_t all_of = 16, seldom = 5;
+    constexpr std::uint64_t all_of = 12, seldom = 3;
     return every || allowed < all_of ? allowed + 1 : allowed + allowed / seldom + shift % 4;
 }
 

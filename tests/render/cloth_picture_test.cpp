@@ -96,24 +96,6 @@ TEST_F(ClothPicture, DrawsMoreParticlesThanABufferTextureMayHold) {
     EXPECT_NEAR(box.right, project(view.camera, {0.5f, 0, 0}, width, height).x, 1);
 }
 
-TEST_F(ClothPicture, ParticleCountsAroundARowOfTheTextureAllDraw) {
-    for (const std::uint32_t count : {3u, 1023u, 1024u, 1025u, 2048u}) {
-        Sheet sheet = upright({0, 0, 0}, 1);
-        sheet.positions.resize(count);
-        sheet.normals.assign(count, {0, 0, 1, 0});
-        sheet.positions[count - 3] = {-0.5f, -0.5f, 0, 1};
-        sheet.positions[count - 2] = {0.5f, -0.5f, 0, 1};
-        sheet.positions[count - 1] = {0, 0.5f, 0, 1};
-        sheet.vertex_to_particle = {count - 3, count - 2, count - 1};
-        sheet.triangles = {{0, 1, 2}};
-        sheet.texcoords.clear();
-        const ClothHandle cloth = show(renderer(), sheet, signal_look());
-        EXPECT_TRUE(pixel(renderer().capture(straight_on(), width, height), width / 2, height / 2).is_red())
-            << count << " particles";
-        renderer().remove_cloth(cloth);
-    }
-}
-
 TEST_F(ClothPicture, VerticesOnOneParticleKeepTheirOwnTextureCoordinates) {
     // Two triangles share the diagonal's particles; only the upper left one lies in the stripe.
     Sheet sheet = make_sheet(2, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});

@@ -2,7 +2,7 @@
 
 #include "tests/render/drawing.h"
 
-namespace weft::render {
+namespace weft::render::quality {
 namespace {
 
 constexpr int width = 160, height = 120;
@@ -130,4 +130,4 @@ TEST(Camera, ARoomAtTheLeftHasTheTargetInItsMiddle) {
 }
 
 }  // namespace
-}  // namespace weft::render
+}  // namespace weft::render::quality

@@ -83,17 +83,5 @@ TEST(GarmentSteps, JudgeTheConvergedStepAsPerfect) {
     EXPECT_LT(steps.judge(1, jacobi.cloth()).energy_gap, 1);
 }
 
-TEST(References, ComeBackFromTheirFiles) {
-    const StudyFolder folder;
-    const StudyScene scene = hung_sheet(6, false);
-    ReferenceStore store(folder.path(), 1);
-    const States computed = store.states(scene, Reference::linearised, {1, 3});
-    const States read = store.states(scene, Reference::linearised, {1, 3});
-    ASSERT_EQ(computed.size(), 2u);
-    EXPECT_EQ(rms_distance(computed.at(3), read.at(3)), 0);
-    EXPECT_GT(rms_distance(computed.at(1), read.at(3)), 0);
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
-}
-
 }  // namespace
 }  // namespace weft::study

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -177,70 +176,7 @@ TriangleSoup two_triangles(const std::array<Vec3, 6>& points) {
     return soup;
 }
 
-/// In every order of corners, and of the two.
-void expect_crossing(const std::array<Vec3, 6>& points, bool expected) {
-    TriangleSoup soup = two_triangles(points);
-    for (int order = 0; order < 72; ++order) {
-        Triangle a{0, 1, 2}, b{3, 4, 5};
-        for (int k = 0; k < order % 6; ++k) std::ranges::next_permutation(a);
-        for (int k = 0; k < order / 6 % 6; ++k) std::ranges::next_permutation(b);
-        soup.triangles = order < 36 ? std::vector{a, b} : std::vector{b, a};
-        EXPECT_EQ(count_crossings(soup).all, expected ? 1u : 0u) << "order " << order;
-        EXPECT_EQ(count_crossings(soup).between_bodies, expected ? 1u : 0u);
-    }
-}
-
 constexpr Vec3 p{0, 0, 0}, q{4, 0, 0}, r{0, 0, 4};  // a face on the ground
-
-TEST(Crossings, AreThoseWhoseInsidesMeetAcrossBothPlanes) {
-    expect_crossing({p, q, r, {1, -1, 1}, {1, 1, 1}, {9, 1, 1}}, true);    // an edge through the face
-    expect_crossing({p, q, r, {1, -1, 1}, {1, 1, 1}, {1, 1, 9}}, true);    // the same, upright
-    expect_crossing({p, q, r, {-9, -1, 1}, {9, 1, 1}, {9, -1, 1}}, true);  // a face cut in two
-    expect_crossing({p, q, r, {1, 0, 1}, {1, 1, 2}, {1, -1, 2}}, true);    // begins in the plane, inside
-    expect_crossing({p, q, r, {-2, 0, 1}, {2, 1, 1}, {2, -1, 1}}, true);   // begins in the plane, outside
-    expect_crossing({p, q, r, {0, -1, 0}, {0, 1, 0}, {1, 0, 1}}, true);    // through a corner and inside
-}
-
-TEST(Crossings, AreNotWhatOnlyTouches) {
-    expect_crossing({p, q, r, {1, 0, 1}, {1, 1, 1}, {2, 1, 1}}, false);      // a corner in the face
-    expect_crossing({p, q, r, {1, 0, 1}, {2, 0, 1}, {1, 1, 1}}, false);      // an edge in the face
-    expect_crossing({p, q, r, {0, -1, 0}, {0, 1, 0}, {-1, 1, -1}}, false);   // an edge through a corner
-    expect_crossing({p, q, r, {1, -1, 0}, {1, 1, 0}, {1, 0, -1}}, false);    // through an edge, from outside
-    expect_crossing({p, q, r, {-1, 0, 0}, {5, 0, 0}, {1, 3, 0}}, false);     // edge on edge
-    expect_crossing({p, q, r, p, q, r}, false);                              // the same face
-    expect_crossing({p, q, r, {1, 0, 1}, {5, 0, 1}, {1, 0, 5}}, false);      // one plane
-    expect_crossing({p, q, r, {1, -1, 1}, {1, 1, 1}, {1, 2, 1}}, false);     // a face of no area
-    expect_crossing({p, q, r, {1, -1, -9}, {1, 1, -9}, {1, 1, -1}}, false);  // beside it
-    expect_crossing({p, q, r, {3, -1, 3}, {3, 1, 3}, {4, 0, 4}}, false);     // beyond the slanting edge
-}
-
-TEST(Crossings, LeaveOutTrianglesOfOneVertex) {
-    TriangleSoup soup = two_triangles({p, q, r, {-1, -1, 1}, {3, 1, 1}, {3, -1, 1}});
-    EXPECT_EQ(count_crossings(soup).all, 1u);
-    soup.triangles[1][0] = 0;
-    EXPECT_EQ(count_crossings(soup).all, 0u);
-}
-
-TEST(Orientation, IsExactWhereDoublesAreNot) {
-    // Four points all but in one plane, with exponents far apart.
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> unit(-1, 1);
-    for (int round = 0; round < 20000; ++round) {
-        const float scale = std::ldexp(1.0f, static_cast<int>(random() % 60) - 30);
-        const auto point = [&](float height) { return Vec3{unit(random), height, scale * unit(random)}; };
-        const float height = unit(random);
-        const Vec3 a = point(height), b = point(height), c = point(height);
-        Vec3 d = point(height);
-        EXPECT_EQ(orientation(a, b, c, d), 0);
-        d.y = std::nextafter(height, 2.0f);
-        const int above = orientation(a, b, c, d);
-        EXPECT_EQ(above, exact_orientation(a, b, c, d));
-        EXPECT_EQ(above, -orientation(b, a, c, d));
-        EXPECT_EQ(above, orientation(b, c, a, d));
-        d.y = std::nextafter(height, -2.0f);
-        EXPECT_EQ(above, -orientation(a, b, c, d));
-    }
-}
 
 TEST(LeastGap, IsThatOfTheClosestTwo) {
     EXPECT_NEAR(least_gap(two_triangles({p, q, r, {1, 0.25f, 1}, {1, 1, 1}, {2, 1, 1}}), 9), 0.25, 1e-12);

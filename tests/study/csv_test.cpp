@@ -39,29 +39,6 @@ TEST(Csv, ResumesAfterTheLastWholeRow) {
     EXPECT_EQ(read_csv(file).rows.size(), 2u);
 }
 
-TEST(Csv, ReplacesTheRowOfTheSameKeys) {
-    const StudyFolder folder;
-    const auto file = folder.file("a.csv");
-    CsvWriter writer(file, columns, false);
-    writer.append({{"method", "jacobi"}, {"n", "32"}, {"error", "1.5"}});
-    writer.append({{"method", "jacobi"}, {"n", "64"}, {"error", "3"}});
-    writer.replace({{"method", "jacobi"}, {"n", "32"}, {"error", "1"}}, {"method", "n"});
-    writer.replace({{"method", "xpbd"}, {"n", "32"}, {"error", "2"}}, {"method", "n"});  // there is none yet
-    const CsvTable table = read_csv(file);
-    ASSERT_EQ(table.rows.size(), 3u);
-    EXPECT_EQ(table.rows[0].at("error"), "1");
-    EXPECT_EQ(table.rows[1].at("error"), "3");
-    EXPECT_EQ(table.rows[2].at("method"), "xpbd");
-}
-
-TEST(Csv, StartsAnewUnlessResumed) {
-    const StudyFolder folder;
-    const auto file = folder.file("a.csv");
-    { CsvWriter(file, columns, false).append({{"method", "jacobi"}, {"n", "32"}, {"error", "1.5"}}); }
-    const CsvWriter anew(file, columns, false);
-    EXPECT_TRUE(read_csv(file).rows.empty());
-}
-
 TEST(Csv, RefusesWhatItCannotGoOnWith) {
     const StudyFolder folder;
     const auto file = folder.file("a.csv");
@@ -69,13 +46,6 @@ TEST(Csv, RefusesWhatItCannotGoOnWith) {
     EXPECT_THROW(CsvWriter(file, {"other"}, true), std::runtime_error);
     EXPECT_THROW(writer.append({{"method", "with, comma"}}), std::logic_error);
     EXPECT_THROW((void)read_csv(folder.file("none.csv")), std::runtime_error);
-}
-
-TEST(Csv, NumbersReadBackAndWhatIsNotFiniteIsEmpty) {
-    EXPECT_EQ(parse_number(number(0.125)), 0.125);
-    EXPECT_EQ(number(1.0 / 0.0), "");
-    EXPECT_EQ(parse_number(""), std::nullopt);
-    EXPECT_EQ(parse_number("3 mm"), std::nullopt);
 }
 
 }  // namespace

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <stdexcept>
-
 namespace weft::study {
 namespace {
 
@@ -41,38 +38,6 @@ TEST(StabilityVerdict, EachToleranceBreaksByItself) {
     EXPECT_EQ(judge(run, tolerance).verdict, Verdict::wrong);
     run.stretch = 1;
     EXPECT_EQ(judge(run, tolerance).broken(), "stretch+height");
-}
-
-TEST(StabilityVerdict, WhatEndsTornWithMoreEnergyThanItEverHadDiverged) {
-    RunMeasures run = sound_run();
-    run.peak_energy = run.end_energy = 2 + 3.01;
-    EXPECT_EQ(judge(run, {}).verdict, Verdict::wrong) << "stiff springs hold much energy in little stretch";
-    run.stretch = run.hang_stretch + 1.01 * torn_stretch;
-    EXPECT_EQ(judge(run, {}).verdict, Verdict::diverged);
-    run.end_energy = 2 + 2.99;
-    EXPECT_EQ(judge(run, {}).verdict, Verdict::wrong) << "long, but it has not gained";
-}
-
-TEST(StabilityVerdict, RunningAwayAndNoNumberComeFirst) {
-    RunMeasures run = sound_run();
-    run.ran_away = true;
-    EXPECT_EQ(judge(run, {}).verdict, Verdict::diverged);
-    run.not_a_number = true;
-    EXPECT_EQ(judge(run, {}).verdict, Verdict::not_a_number);
-}
-
-TEST(StabilityVerdict, MeasuresThatAreNoNumberBreakEveryTolerance) {
-    RunMeasures run = sound_run();
-    run.stretch = run.height = run.peak_energy = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(judge(run, {}).broken(), "energy+stretch+height");
-}
-
-TEST(StabilityVerdict, WordsReadBack) {
-    for (int i = 0; i < verdict_count; ++i) {
-        const auto verdict = static_cast<Verdict>(i);
-        EXPECT_EQ(verdict_of(word(verdict)), verdict);
-    }
-    EXPECT_THROW((void)verdict_of("fine"), std::runtime_error);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Normals and air forces, on every kind of vector that this machine has, against one triangle at a time.
+// Normals, air forces and gusts against one triangle and one place at a time. tests/targets compares vector
+// widths.
 
 #include <gtest/gtest.h>
 
@@ -181,49 +182,8 @@ TEST_P(AirKernels, GustsAreTheNoiseAsItIsDefined) {
     }
 }
 
-/// Normals, forces and gusts with all that lies behind them.
-std::vector<Vec4> everything(Scene& scene, Parallel& parallel, bool gusts) {
-    scene.compute(parallel, gusts);
-    AlignedBuffer<Vec4> air(scene.cloth.model.particle_count);
-    WindField(breeze, {1, 2, 3}, 4).sample(parallel, scene.cloth.state.positions.span(), air.span());
-    std::vector<Vec4> rows;
-    for (const AlignedBuffer<Vec4>* part : {&scene.cloth.state.normals, &scene.cloth.air.forces, &air}) {
-        rows.insert(rows.end(), part->data(), part->data() + part->size());
-        for (const Vec4* pad = part->data() + part->size(); pad < part->data() + part->bytes() / sizeof(Vec4);
-             ++pad)
-            EXPECT_TRUE(pad->x == 0 && pad->y == 0 && pad->z == 0 && pad->w == 0);
-    }
-    return rows;
-}
-TEST_P(AirKernels, SameBytesForAnyNumberOfThreads) {
-    for (const Mesh& mesh :
-         {sheet(31, 40), sheet(80, 16), sheet(60, 31), sheet(60, 32), loose_sheet(27, 41)}) {
-        Scene scene(mesh);
-        const std::vector<Vec4> expected = everything(scene, serial, true);
-        for (int threads = 2; threads <= 8; ++threads) {
-            Parallel parallel(threads);
-            EXPECT_TRUE(same_bytes(everything(scene, parallel, true), expected)) << threads << " threads";
-        }
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Targets, AirKernels, testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
                          [](const auto& info) { return std::string(hwy::TargetName(info.param)); });
-
-// Eight lanes or sixteen: both round a product and its sum once.
-TEST(AirKernelWidths, SameBytesOnWideAndNarrowVectors) {
-    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
-    if ((usable & HWY_AVX2) == 0 || (usable & HWY_AVX3) == 0) GTEST_SKIP() << "needs AVX2 and AVX-512";
-    Parallel serial(1);
-    for (const NamedMesh& named : meshes()) {
-        Scene scene(named.mesh);
-        hwy::SetSupportedTargetsForTest(HWY_AVX2);
-        const std::vector<Vec4> narrow = everything(scene, serial, true);
-        hwy::SetSupportedTargetsForTest(HWY_AVX3);
-        EXPECT_TRUE(same_bytes(everything(scene, serial, true), narrow)) << named.name;
-        hwy::SetSupportedTargetsForTest(0);
-    }
-}
 
 // What the air of a step's first substep rests on: whatever has happened to the cloth, the last step left the
 // normals of the positions at which the next one begins.
@@ -262,6 +222,28 @@ TEST(Normals, AreThoseOfThePresentPositionsWheneverAStepBegins) {
     EXPECT_EQ(simulation.report.restored_cloths, 1u);
     step("when it is restored");
     expect_current("at last");
+}
+
+void update_normals(Cloth& cloth) {
+    Parallel serial(1);
+    cloth.surface.compute_normals(serial, cloth.state.positions.span(), cloth.state.normals.span());
+}
+
+TEST(Normals, OfASphereAreRadial) {
+    Cloth cloth(cook(sphere(3)).value(), {});
+    update_normals(cloth);
+    for (std::uint32_t i = 0; i < cloth.state.size(); ++i) {
+        const Vector3 radial = xyz(cloth.state.positions[i]).normalized();
+        EXPECT_GT(xyz(cloth.state.normals[i]).dot(radial), 0.999f) << "particle " << i;
+        EXPECT_NEAR(xyz(cloth.state.normals[i]).norm(), 1, 1e-6f);
+    }
+}
+
+TEST(Normals, OfACollapsedClothAreStillUnitVectors) {
+    Cloth cloth(cook(sheet(4, 4)).value(), {});
+    for (Vec4& x : cloth.state.positions.span()) x = {1, 2, 3, x.w};
+    update_normals(cloth);
+    for (const Vec4& n : cloth.state.normals.span()) EXPECT_EQ(xyz(n), Vector3(0, 1, 0));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "tests/cloth/fixtures.h"
 
@@ -144,33 +143,6 @@ TEST(AirSources, AreFeltInTheNextStepAndNoMoreWhereTheyAreGone) {
     EXPECT_GT(hung.mean_velocity().z(), calm.mean_velocity().z() + 0.02f);
     hung.blow({});
     EXPECT_EQ(hung.world.cloth_info(hung.cloth)->bytes, calm.world.cloth_info(calm.cloth)->bytes);
-}
-
-TEST(AirSources, TakeMemoryWhereThereAreNoGusts) {
-    for (const float gust : {0.0f, 0.5f}) {
-        Hung hung(1, gust);
-        const std::uint64_t before = hung.world.cloth_info(hung.cloth)->bytes;
-        hung.blow({AirSourceKind::blast, {}, {1, 0, 0}, 1}, 7);
-        const std::uint64_t more = hung.world.cloth_info(hung.cloth)->bytes - before;
-        EXPECT_EQ(more, gust > 0 ? 0 : 16 * 24 * 24);
-    }
-}
-
-TEST(AirSources, GiveTheSameBytesByAnyThreads) {
-    std::optional<std::uint64_t> first;
-    for (const int threads : {1, 3}) {
-        Hung hung(threads);
-        hung.blow({AirSourceKind::jet, {0, 1.5f, -1}, {0, 0, 8}, 0.3f});
-        for (int k = 0; k < 20; ++k) {
-            hung.blow(
-                {AirSourceKind::wake, {0.05f * static_cast<float>(k) - 0.5f, 1.4f, 0.1f}, {3, 0, 0}, 0.1f},
-                1);
-            hung.world.step(step);
-        }
-        const std::uint64_t hash = hung.world.state_hash();
-        EXPECT_EQ(first.value_or(hash), hash);
-        first = hash;
-    }
 }
 
 TEST(AirSources, GoWithTheOrigin) {

@@ -387,22 +387,6 @@ TEST(Bodies, GoOnAfterARestoreAsTheyDid) {
     EXPECT_FALSE(other.world.restore(saved));
 }
 
-TEST(Bodies, MoveAlikeOnAnyNumberOfThreads) {
-    const auto hash_of = [](int threads) {
-        SheetAndBody scene({.side = 33}, Held::border);
-        EXPECT_TRUE(
-            scene.world.add_cloth(*make_sheet({.rows = 33, .columns = 33, .origin = {-0.5f, 0.7f, -0.5f}})));
-        WorldSettings settings = scene.world.settings();
-        settings.threads = threads;
-        EXPECT_TRUE(scene.world.set_settings(settings));
-        scene.steps(60);
-        return scene.world.state_hash();
-    };
-    const std::uint64_t one = hash_of(1);
-    EXPECT_EQ(hash_of(2), one);
-    EXPECT_EQ(hash_of(5), one);
-}
-
 TEST(Bodies, WakeTheClothThatTheyFallOnAndLetItNotSleepUnderThem) {
     SheetAndBody scene({.side = 17,
                         .cloth = {.fabric = {.warp = 2000, .weft = 2000, .shear = 500},

@@ -185,32 +185,6 @@ TEST(Shapes, AMeshCarriesClothWhetherItMovesOrDeforms) {
     }
 }
 
-TEST(Shapes, BytesAreTheSameForAnyNumberOfThreads) {
-    const auto hash = [](int threads) {
-        World world = World::create({.gravity = earth, .threads = threads}).value();
-        const Mesh mesh =
-            make_sheet(
-                {.rows = 40, .columns = 40, .origin = {-0.5f, 0.3f, -0.5f}, .u = {1, 0, 0}, .v = {0, 0, 1}})
-                .value();
-        EXPECT_TRUE(world.add_cloth(mesh, {}));
-        const Solid ring = torus(0.25f, 0.1f, 40, 20);
-        const ShapeId shape = world.add_shape(ring.mesh()).value();
-        const ColliderId id = world.add_collider({PlacedShape{shape}}).value();
-        EXPECT_TRUE(world.add_collider({Box{{0.4f, 0.2f, 0}, turned_by(1, {1, 1, 0}), {0.1f, 0.1f, 0.2f}}}));
-        for (int step = 0; step < 40; ++step) {
-            const float t = static_cast<float>(step);
-            EXPECT_TRUE(world.move_collider(
-                id, {PlacedShape{shape, {0, 0.002f * t, 0}, turned_by(0.02f * t, {0, 0.3f, 1})}}));
-            world.step(1.0f / 60);
-        }
-        EXPECT_GT(world.report().collider_contacts, 50u);
-        return world.state_hash();
-    };
-    const std::uint64_t one = hash(1);
-    EXPECT_EQ(hash(2), one);
-    EXPECT_EQ(hash(3), one);
-}
-
 struct Slid {
     double way;           // in a second [m]
     double acceleration;  // in the second half of it [m/s^2]

@@ -242,8 +242,8 @@ float pushed_through(Pushed pushed, float edges, float speed) {
 
 TEST(ThinColliders, WhatIsPushedSlowlyCarriesTheSheet) {
     for (const Pushed pushed : {Pushed::ball, Pushed::rod, Pushed::mesh_of_a_rod})
-        for (const float edges : {0.3f, 0.47f, 0.62f, 0.71f, 0.95f, 1.1f})
-            for (const float speed : {0.1f, 0.3f, 1.0f}) {
+        for (const float edges : {0.3f, 0.62f, 1.1f})
+            for (const float speed : {0.1f, 1.0f}) {
                 if (pushed == Pushed::ball && edges < 0.5f) continue;  // see below
                 EXPECT_GT(pushed_through(pushed, edges, speed), 0)
                     << static_cast<int>(pushed) << " of " << edges << " edges at " << speed << " m/s";

@@ -8,7 +8,7 @@
 #include "cloth/contact/feature_contact.h"
 #include "tests/laid_out.h"
 
-namespace weft::test {
+namespace weft::test::borders_and_faces {
 namespace {
 
 constexpr float h = 0.01f, gamma = 0.01f;
@@ -68,4 +68,4 @@ TEST(BordersAndFaces, BordersThatAreNearerOrOnTheOtherSidePush) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::borders_and_faces

@@ -8,7 +8,7 @@
 
 #include "tests/cloth/fixtures.h"
 
-namespace weft::test {
+namespace weft::test::collapsed_start {
 namespace {
 
 struct Case {
@@ -106,4 +106,4 @@ TEST_P(CollapsedStart, GoesOnFromExactlyOnePoint) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::collapsed_start

@@ -92,36 +92,35 @@ std::vector<NamedCloth> reporting_methods() {
 TEST(ContactReports, OfClothAtRestOnThingsAddUpToItsWeightByEveryMethod) {
     for (const NamedCloth& with : reporting_methods()) {
         for (const int substeps : {1, 3}) {
-            for (const bool on_ball : {false, true}) {
-                SCOPED_TRACE(std::string(with.name) + (on_ball ? ", ball, " : ", plane, ") +
-                             std::to_string(substeps));
-                WorldSettings settings = reporting();
-                settings.substeps = substeps;
-                World world = World::create(settings).value();
-                ClothSettings cloth = with.settings;
-                cloth.air_damping = 2;
-                cloth.friction = 10;
-                const ClothId id = world.add_cloth(turned_sheet(0.0055f), cloth).value();
-                if (on_ball)
-                    EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, -0.3f, 0}, 0.3f}}));
-                else
-                    EXPECT_TRUE(world.add_collider({.shape = Plane{}}));
-                for (int k = 0; k < 240; ++k) world.step(h);
-                Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-                const Eigen::Vector3d before = momentum(world, id);
-                constexpr int steps = 120;
-                for (int k = 0; k < steps; ++k) {
-                    world.step(h);
-                    sum += impulse(world);
-                }
-                const double of_fall = mass(world, id) * static_cast<double>(g * h) * steps;
-                const Eigen::Vector3d changed = momentum(world, id) - before;
-                // What Jacobi and conjugate gradients leave of a hanging rim's equation counts as contact's.
-                const bool leaves_more = std::holds_alternative<Jacobi>(cloth.method) ||
-                                         std::holds_alternative<ConjugateGradient>(cloth.method);
-                EXPECT_NEAR((sum.y() - changed.y()) / of_fall, 1, leaves_more && on_ball ? 0.3 : 0.02);
-                EXPECT_NEAR((sum.x() - changed.x()) / of_fall, 0, 0.02);
+            const bool on_ball = substeps == 1;
+            SCOPED_TRACE(std::string(with.name) + (on_ball ? ", ball, " : ", plane, ") +
+                         std::to_string(substeps));
+            WorldSettings settings = reporting();
+            settings.substeps = substeps;
+            World world = World::create(settings).value();
+            ClothSettings cloth = with.settings;
+            cloth.air_damping = 2;
+            cloth.friction = 10;
+            const ClothId id = world.add_cloth(turned_sheet(0.0055f), cloth).value();
+            if (on_ball)
+                EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, -0.3f, 0}, 0.3f}}));
+            else
+                EXPECT_TRUE(world.add_collider({.shape = Plane{}}));
+            for (int k = 0; k < 240; ++k) world.step(h);
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            const Eigen::Vector3d before = momentum(world, id);
+            constexpr int steps = 120;
+            for (int k = 0; k < steps; ++k) {
+                world.step(h);
+                sum += impulse(world);
             }
+            const double of_fall = mass(world, id) * static_cast<double>(g * h) * steps;
+            const Eigen::Vector3d changed = momentum(world, id) - before;
+            // What Jacobi and conjugate gradients leave of a hanging rim's equation counts as contact's.
+            const bool leaves_more = std::holds_alternative<Jacobi>(cloth.method) ||
+                                     std::holds_alternative<ConjugateGradient>(cloth.method);
+            EXPECT_NEAR((sum.y() - changed.y()) / of_fall, 1, leaves_more && on_ball ? 0.3 : 0.02);
+            EXPECT_NEAR((sum.x() - changed.x()) / of_fall, 0, 0.02);
         }
     }
 }

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "crossing_count.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::feature_contact {
 namespace {
 
 WorldSettings still_air(int threads = 1, Vec3 gravity = {0, -9.81f, 0}) {
@@ -99,20 +98,6 @@ TEST(ClothOnCloth, MeetsWhenOnlyOneOfItsLayersIsInTheOthersMask) {
     ASSERT_TRUE(world.pin(below, border_of(13)));
     for (int k = 0; k < 60; ++k) world.step(h);
     EXPECT_GT(mean_height(world, above), mean_height(world, below));
-}
-
-TEST(ClothOnCloth, GivesTheSameBytesOnAnyThreads) {
-    const auto after = [](int threads) {
-        Stack stack(4, with_contact(), threads, 0.03f);
-        for (int k = 0; k < 45; ++k) stack.world.step(h);
-        return std::pair(stack.positions(), stack.world.state_hash());
-    };
-    const auto expected = after(1);
-    for (const int threads : {2, 3, 4}) {
-        const auto found = after(threads);
-        EXPECT_TRUE(same_bytes(found.first, expected.first)) << threads;
-        EXPECT_EQ(found.second, expected.second) << threads;
-    }
 }
 
 /// Ten sheets within a millimetre, kept 5 cm apart: far more pairs than the list has room for.
@@ -321,7 +306,7 @@ TEST(ClothOnCloth, RestsOnASlopeOfClothThatIsHeldEverywhere) {
 // How far one sheet gets, any rounding changes by some 4 %, as it catches on what is uneven: hence means of
 // many slopes that differ by next to nothing.
 float mean_way(float friction_below, float friction, int steps) {
-    constexpr int slopes = 16;
+    constexpr int slopes = 8;
     float sum = 0;
     for (int k = 0; k < slopes; ++k) {
         Slope slope(0.611f + 1e-5f * static_cast<float>(k), friction_below, friction);  // 35 degrees
@@ -372,7 +357,7 @@ TEST(FoldedCloth, AtRestStaysAtRestWhateverTheDistance) {
 
 // Which features touch is found in each pass: by three passes of three iterations most of them went on.
 TEST(ClothOnCloth, ComesToRestOnASheetThatIsHungByItsCorners) {
-    for (const std::uint32_t side : {9u, 13u, 17u}) {
+    for (const std::uint32_t side : {9u, 17u}) {
         World world = World::create({.threads = 1}).value();
         const auto add = [&](float height) {
             const Mesh mesh = make_sheet({.rows = side,
@@ -498,4 +483,4 @@ TEST(ContactSettings, CanBeSwitchedAtAnyTimeAndCostNothingWhenOff) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::feature_contact

@@ -14,7 +14,7 @@
 #include "engine/vector.h"
 #include "tests/cloth/fixtures.h"
 
-namespace weft::test {
+namespace weft::test::impact_zones {
 namespace {
 
 using Eigen::Vector3d;
@@ -361,4 +361,4 @@ TEST(ImpactZonesInWorld, OfACrowdWhatHasNoRoomIsCountedAndNoStepIsLong) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::impact_zones

@@ -240,19 +240,5 @@ TEST(TouchingLayers, HangFromPinsAtOnePlace) {
     }
 }
 
-TEST(TouchingLayers, PartAlikeOnAnyThreads) {
-    std::vector<std::vector<Vec4>> ends;
-    for (const int threads : {1, 4}) {
-        WorldSettings settings;
-        settings.threads = threads;
-        Scene scene(settings, std::vector<Mesh>(3, level()));
-        for (int step = 0; step < 10; ++step) scene.world.step(h);
-        std::vector<Vec4>& end = ends.emplace_back();
-        for (std::size_t k = 0; k < scene.cloths.size(); ++k)
-            end.insert(end.end(), scene.view(k).positions.begin(), scene.view(k).positions.end());
-    }
-    EXPECT_TRUE(same_bytes(ends[0], ends[1]));
-}
-
 }  // namespace
 }  // namespace weft::test

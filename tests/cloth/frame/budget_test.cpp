@@ -179,18 +179,6 @@ float strain_of_flag(const char* fabric, const Method& method, std::uint32_t rat
     return *place;
 }
 
-// A long step of one pass would strain flags too far; a step of the usual length on the same rung takes one.
-TEST(Budget, LongStepsTakeAllPasses) {
-    const auto passes = [](std::uint32_t rung, std::uint32_t rate) {
-        return std::get<Multilevel>(reduced(Multilevel{.passes = 4}, rung, rate)).passes;
-    };
-    EXPECT_EQ(passes(0, 1), 4);
-    EXPECT_EQ(passes(1, 1), 1);
-    EXPECT_EQ(passes(rung_count - 1, greatest_rate), 4);
-    EXPECT_EQ(passes(rung_count - 1, 1), 1);
-    EXPECT_EQ(reduced(Xpbd{}, 1, 1), Method(Xpbd{}));
-}
-
 TEST(Budget, NoRungStrainsAFlagByHalfMoreThanItsTruth) {
     for (const char* fabric : {"cotton", "tablecloth"}) {
         const float truth = strain_of_flag(fabric, Multilevel{.passes = 6}, 1, 8);

@@ -103,7 +103,8 @@ TEST(ForgedSave, WhateverWordIsChangedTheWorldIsNoneTheWorse) {
                                    std::bit_cast<std::uint32_t>(-std::numeric_limits<float>::infinity()),
                                    std::bit_cast<std::uint32_t>(3e38f)};
     for (std::size_t at = offsetof(SaveHead, cloths); at + 4 <= good.size(); at += 4)
-        for (const std::uint32_t word : words) {
+        for (std::size_t w = at / 4 % 2; w < std::size(words); w += 2) {  // neighbours get all of them
+            const std::uint32_t word = words[w];
             SCOPED_TRACE("word " + std::to_string(word) + " at " + std::to_string(at));
             const std::uint64_t before = full.world.state_hash();
             const auto taken = full.world.restore(changed_in(good, at, word));

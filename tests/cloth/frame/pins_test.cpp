@@ -75,7 +75,7 @@ class PinsOf : public testing::TestWithParam<PinnedMethod> {};
 INSTANTIATE_TEST_SUITE_P(
     Methods, PinsOf,
     testing::Values(
-        PinnedMethod{"multilevel", Multilevel{}, 1.0f / 60, 64},
+        PinnedMethod{"multilevel", Multilevel{}},
         PinnedMethod{"multilevel_elements", Multilevel{}, 1.0f / 60, 33,
                      [](ClothSettings& s) { s.finite_elements.enabled = true; }},
         PinnedMethod{"multilevel_dihedral", Multilevel{}, 1.0f / 60, 17,
@@ -134,7 +134,7 @@ void hold(const PinnedMethod& method, std::uint32_t side, bool grid) {
 }
 
 TEST_P(PinsOf, AnyPatternAreWhereTheyWereToldToBe) {
-    for (const std::uint32_t side : {3u, 4u, 5u, 8u, 16u, 17u, 33u, 64u}) {
+    for (const std::uint32_t side : {3u, 4u, 5u, 8u, 16u, 17u, 33u}) {
         if (side > GetParam().largest) continue;
         for (const bool grid : {true, false}) {
             SCOPED_TRACE(std::to_string(side) + (grid ? " a side, sheet" : " a side, mesh"));
@@ -270,24 +270,6 @@ TEST(PinPatterns, LevelsDoNotRememberTheOrderInWhichTheyCameAndWent) {
             EXPECT_TRUE(same(cycled(*wandering, *straight.system), expected)) << grid << elements;
         }
     }
-}
-
-TEST(PinPatterns, HaveSpringsThatAreReadFromEitherEnd) {
-    for_each_pinned(5, [](Pinned& pinned) {
-        const AlignedBuffer<Vec4> blocks = pinned.system->all_spring_blocks(pinned.serial);
-        for (std::uint32_t i = 0; i < pinned.system->stencil().nodes; ++i) {
-            const ImplicitSystem::Neighbours row = pinned.system->neighbours_of(i);
-            for (std::uint32_t k = 0; k < row.count; ++k) {
-                const std::uint32_t j = row[k];
-                if (i == j || (!pinned.is_free(i) && !pinned.is_free(j))) continue;
-                const auto full = [&](std::uint32_t from, std::uint32_t to) -> Matrix3 {
-                    const Vec4& spring = blocks[pinned.system->entry_between(from, to)];
-                    return spring.w * Matrix3::Identity() + xyz(spring) * xyz(spring).transpose();
-                };
-                EXPECT_LE((full(i, j) - full(j, i)).norm(), 1e-4f * full(i, j).norm());
-            }
-        }
-    });
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "tests/cloth/fixtures.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::saving {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -344,4 +344,4 @@ TEST(SaveRefuses, SettingsByWhichAClothHasAnotherState) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::saving

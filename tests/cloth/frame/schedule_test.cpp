@@ -4,12 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstring>
-#include <limits>
-#include <map>
 #include <thread>
 #include <utility>
 
@@ -18,86 +15,6 @@
 
 namespace weft::test {
 namespace {
-
-class Planned {
-  public:
-    explicit Planned(std::span<const std::uint32_t> sides) {
-        for (const std::uint32_t side : sides) {
-            cloths_.push_back(std::make_unique<Cloth>(cook(sheet(side, side)).value(), ClothSettings{}));
-            present_.push_back(cloths_.back().get());
-        }
-    }
-    const Schedule& on(int threads) {
-        schedule_.plan(present_, threads);
-        return schedule_;
-    }
-    const Schedule& on(int threads, std::span<const std::uint32_t> first_of) {
-        schedule_.plan(present_, first_of, threads);
-        return schedule_;
-    }
-    [[nodiscard]] const Cloth* cloth(std::size_t i) const { return present_[i]; }
-
-  private:
-    std::vector<std::unique_ptr<Cloth>> cloths_;
-    std::vector<Cloth*> present_;
-    Schedule schedule_;
-};
-
-std::vector<std::uint32_t> many_small_and(std::initializer_list<std::uint32_t> others) {
-    std::vector<std::uint32_t> sides(100, 20);
-    sides.insert(sides.begin() + 50, others);
-    return sides;
-}
-
-TEST(Schedule, PlansEachClothOnceAndTheLargestFirst) {
-    const std::vector<std::uint32_t> sides = many_small_and({128, 40, 30, 3});
-    Planned cloths(sides);
-    for (const int threads : {1, 2, 16, 64}) {
-        const Schedule& schedule = cloths.on(threads);
-        std::map<const Cloth*, int> planned;
-        for (const auto entries : {schedule.side_by_side(), schedule.in_turn()}) {
-            EXPECT_TRUE(std::ranges::is_sorted(entries, std::ranges::greater(), &Schedule::Group::work));
-            for (const Schedule::Group& entry : entries) {
-                ASSERT_EQ(entry.cloths.size(), 1u);
-                ++planned[entry.cloths[0]];
-            }
-        }
-        EXPECT_EQ(planned.size(), sides.size());
-        EXPECT_EQ(schedule.side_by_side().size() + schedule.in_turn().size(), sides.size());
-    }
-}
-
-TEST(Schedule, KeepsALargeClothForAllThreads) {
-    Planned mix(many_small_and({128})), alone(std::array{128u});
-    for (const int threads : {2, 4, 16}) {
-        ASSERT_EQ(mix.on(threads).in_turn().size(), 1u) << threads;
-        EXPECT_EQ(mix.on(threads).in_turn()[0].cloths[0]->model.particle_count, 128u * 128u);
-        EXPECT_EQ(alone.on(threads).in_turn().size(), 1u);
-    }
-}
-
-TEST(Schedule, GivesClothsOfFewBlocksToOneThreadEach) {
-    Planned few_blocks(std::array{40u, 40u, 40u, 40u, 40u, 40u, 40u, 40u});  // 7 blocks each
-    EXPECT_EQ(few_blocks.on(8).side_by_side().size(), 8u) << "no thread waits, and none does two";
-    EXPECT_EQ(few_blocks.on(16).in_turn().size(), 8u) << "eight threads would wait";
-}
-
-TEST(Schedule, TakesTheClothsOfAGroupTogetherInTheirOrder) {
-    Planned cloths(std::array{8u, 8u, 8u, 8u, 64u, 8u, 8u});
-    const std::array first_of{0u, 1u, 0u, 3u, 1u, 0u, 6u};
-    const Schedule& schedule = cloths.on(4, first_of);
-    std::map<std::vector<const Cloth*>, int> groups;
-    for (const auto part : {schedule.side_by_side(), schedule.in_turn()})
-        for (const Schedule::Group& group : part) ++groups[{group.cloths.begin(), group.cloths.end()}];
-    const std::map<std::vector<const Cloth*>, int> expected{
-        {{cloths.cloth(0), cloths.cloth(2), cloths.cloth(5)}, 1},
-        {{cloths.cloth(1), cloths.cloth(4)}, 1},
-        {{cloths.cloth(3)}, 1},
-        {{cloths.cloth(6)}, 1}};
-    EXPECT_EQ(groups, expected);
-    ASSERT_EQ(schedule.in_turn().size(), 1u) << "the large one";
-    EXPECT_EQ(schedule.in_turn()[0].work, 64u * 64 + 64) << "a group is as large as its cloths in sum";
-}
 
 // A cloth is part of two kinds of World: large and small, with contacts, gusts and a moving collider.
 struct Filled {
@@ -206,22 +123,6 @@ TEST(ManyCloths, MoveAsEachDoesAlone) {
                    actual = together.cloth(all.cloths[i])->positions;
         ASSERT_EQ(actual.size(), expected.size());
         EXPECT_EQ(std::memcmp(actual.data(), expected.data(), actual.size_bytes()), 0) << sides[i];
-    }
-}
-
-// So what a thread takes lies in the memory of the group that it began with.
-TEST(Schedule, GroupsOfOneThreadComeInTheOrderOfTheirScratch) {
-    const std::vector<std::uint32_t> sides = many_small_and({128, 40, 30, 3});
-    Planned cloths(sides);
-    for (const int threads : {1, 2, 16, 64}) {
-        std::size_t end = 0, before = std::numeric_limits<std::size_t>::max();
-        for (const Schedule::Group& group : cloths.on(threads).side_by_side()) {
-            EXPECT_EQ(group.scratch, end);
-            EXPECT_LE(group.scratch_bytes, before);
-            EXPECT_GT(group.scratch_bytes, 0u);
-            before = group.scratch_bytes;
-            end += before;
-        }
     }
 }
 

@@ -101,14 +101,6 @@ TEST(Sleep, StillClothStandsStillAndIsNotStepped) {
     }
 }
 
-TEST(Sleep, NeverWithoutTheSetting) {
-    World world = make_world();
-    ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
-    const ClothId cloth = add_sheet(world, 0.02f, {});
-    EXPECT_FALSE(sleeps_within(world, cloth, 300));
-    EXPECT_EQ(world.report().sleeping_cloths, 0u);
-}
-
 TEST(Sleep, WakingShowsNoStep) {
     World world = make_world();
     const ClothId cloth = add_sheet(world, 1, that_sleeps());
@@ -254,24 +246,6 @@ TEST(Sleep, WakesWhenWhatItIsWornOnMoves) {
     EXPECT_FALSE(room.world.is_asleep(room.cloth).value());
 }
 
-TEST(Sleep, WakesWhenTheBackstopTurnsInItsPlace) {
-    Room room;
-    std::vector<Vec3> places, normals(side * side, Vec3{0, 1, 0});
-    const ClothView view = *room.world.cloth(room.cloth);
-    for (const std::uint32_t i : view.vertex_to_particle)
-        places.push_back({view.positions[i].x, view.positions[i].y, view.positions[i].z});
-    ASSERT_TRUE(room.world.set_map(room.cloth, Map::backstop, std::vector<float>(side * side, 0.05f)));
-    ASSERT_TRUE(room.world.set_skin(room.cloth, places, normals));
-    ASSERT_TRUE(sleeps_within(room.world, room.cloth, 600));
-    ASSERT_TRUE(room.world.set_skin(room.cloth, places, normals));
-    room.world.step(h);
-    EXPECT_TRUE(room.world.is_asleep(room.cloth).value());
-    normals.assign(side * side, Vec3{0.6f, 0.8f, 0});
-    ASSERT_TRUE(room.world.set_skin(room.cloth, places, normals));
-    room.world.step(h);
-    EXPECT_FALSE(room.world.is_asleep(room.cloth).value());
-}
-
 // The last step's motion is no part of what comes after a sleep, by whatever time scheme.
 TEST(Sleep, BeginsFromRestWhenItWakes) {
     for (const TimeScheme scheme : {TimeScheme::backward_euler, TimeScheme::bdf2}) {
@@ -312,22 +286,6 @@ TEST(Sleep, WakesBeforeWhatIsThrownAtItGoesThrough) {
         while (world.is_asleep(lower).value() && world.report().step < 5000) world.step(h);
         EXPECT_FALSE(world.is_asleep(lower).value());
         EXPECT_GT(world.cloth(upper)->positions[middle].y, world.cloth(lower)->positions[middle].y) << above;
-    }
-}
-
-TEST(Sleep, IsNotDisturbedByClothThatItDoesNotMeet) {
-    for (const std::uint32_t layers : {1u, 2u}) {
-        World world = make_world();
-        ASSERT_TRUE(world.add_collider({.shape = Plane{}}));
-        const ClothId cloth = add_sheet(world, 0.02f, that_meets());
-        ClothSettings settings = that_meets();
-        settings.self_collision.layers = settings.self_collision.mask = layers;
-        const ClothId other = add_sheet(world, 0.03f, settings, 0.05f);
-        ASSERT_TRUE(sleeps_within(world, cloth, 1200));
-        ASSERT_TRUE(sleeps_within(world, other, 1200));
-        ASSERT_TRUE(world.is_asleep(cloth).value());
-        ASSERT_TRUE(world.remove_cloth(other));
-        EXPECT_EQ(world.is_asleep(cloth).value(), layers == 2) << layers;
     }
 }
 
@@ -549,65 +507,6 @@ TEST(Enabled, LooksForWhatWentIntoItMeanwhile) {
     EXPECT_GT(world.report().crossings, 0u);
 }
 
-TEST(Enabled, FeelsNothingOfWhereItsFrameWentMeanwhile) {
-    World world = make_world();
-    const ClothId cloth = add_sheet(world, 0.5f, that_sleeps());
-    ASSERT_TRUE(world.set_frame(cloth, {}));
-    world.step(h);
-    ASSERT_TRUE(world.set_enabled(cloth, false));
-    for (int i = 1; i < 10; ++i) {
-        ASSERT_TRUE(world.set_frame(cloth, {.translation = {static_cast<float>(i), 0, 0}}));
-        world.step(h);
-    }
-    ClothSettings settings = world.cloth_settings(cloth).value();
-    settings.enabled = true;
-    settings.frame_inertia = {0, 0, 0};
-    ASSERT_TRUE(world.set_cloth_settings(cloth, settings));
-    const float x = world.cloth(cloth)->positions[middle].x;
-    run(world, 5);
-    EXPECT_NEAR(world.cloth(cloth)->positions[middle].x, x, 1e-3f);
-}
-
-TEST(Enabled, FeelsNothingOfWhereItsSkinWentMeanwhile) {
-    WorldSettings settings;
-    settings.gravity = {};
-    settings.wind.air_density = 0;
-    World world = World::create(settings).value();
-    const ClothId cloth = add_sheet(world, 0.5f, that_sleeps());
-    ASSERT_TRUE(world.set_map(cloth, Map::leash, std::vector<float>(side * side, 0.05f)));
-    const auto put_skin = [&](float x) {
-        std::vector<Vec3> places;
-        const ClothView view = *world.cloth(cloth);
-        for (const std::uint32_t i : view.vertex_to_particle)
-            places.push_back({view.positions[i].x + x, view.positions[i].y, view.positions[i].z});
-        ASSERT_TRUE(world.set_skin(cloth, places, {}));
-    };
-    put_skin(0);
-    world.step(h);
-    ASSERT_TRUE(world.set_enabled(cloth, false));
-    put_skin(0.04f);  // within its leash
-    world.step(h);
-    ASSERT_TRUE(world.set_enabled(cloth, true));
-    const std::vector<Vec4> before = positions_of(world, cloth);
-    put_skin(0.08f);
-    world.step(h);
-    EXPECT_NEAR(world.cloth(cloth)->positions[middle].x - before[middle].x, 0.03f, 1e-4f);
-    EXPECT_LT(world.report().peak_speed, 0.041f / h);
-}
-
-TEST(Enabled, ByItsSettingAlike) {
-    World world = make_world();
-    ClothSettings settings = that_meets();
-    settings.enabled = false;
-    const ClothId cloth = add_sheet(world, 0.5f, settings);
-    run(world, 10);
-    EXPECT_EQ(world.cloth(cloth)->positions[middle].y, 0.5f);
-    settings.enabled = true;
-    ASSERT_TRUE(world.set_cloth_settings(cloth, settings));
-    run(world, 30);
-    EXPECT_LT(world.cloth(cloth)->positions[middle].y, 0.45f);
-}
-
 TEST(Enabled, WhatLayAsleepOnItWakes) {
     World world = make_world();
     const ClothId lower = add_sheet(world, 0.5f, that_meets());
@@ -618,13 +517,6 @@ TEST(Enabled, WhatLayAsleepOnItWakes) {
     ASSERT_TRUE(world.set_enabled(lower, false));
     world.step(h);
     EXPECT_FALSE(world.is_asleep(upper).value());
-}
-
-TEST(Enabled, StaleIdsAreRefused) {
-    World world = make_world();
-    EXPECT_FALSE(world.set_enabled({}, false));
-    EXPECT_FALSE(world.is_asleep({}));
-    EXPECT_FALSE(world.wake({}));
 }
 
 }  // namespace

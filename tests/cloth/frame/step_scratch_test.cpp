@@ -134,44 +134,6 @@ TEST(StepScratch, OfManyClothsThatComeAndGoAndChangeGivesTheSameBytesOnAnyThread
     }
 }
 
-TEST(StepScratch, IsThereOnceForEachThread) {
-    for (const int threads : {1, 3}) {
-        Simulation world(on_threads(threads));
-        const Cloth cooked(must(cook(sheet(40, 40))), {});
-        const auto width = static_cast<std::size_t>(world.parallel.width());
-        for (std::size_t count = 1; count <= 6; ++count) {
-            world.add(std::make_unique<Cloth>(cooked));
-            EXPECT_EQ(world.scratch.bytes(), std::min(count, width) * cooked.scratch_bytes);
-        }
-        Simulation others(on_threads(threads));
-        others.add(std::make_unique<Cloth>(cooked));
-        others.add(std::make_unique<Cloth>(cooked));
-        others.apply(on_threads(1));
-        others.apply(on_threads(8));
-        EXPECT_EQ(others.scratch.bytes(),
-                  std::min<std::size_t>(2, static_cast<std::size_t>(others.parallel.width())) *
-                      cooked.scratch_bytes);
-    }
-}
-
-// Cloths that may meet may all be one equation. So may those that a body may touch.
-TEST(StepScratch, IsThereForAllThatMayFormAGroup) {
-    Simulation world(on_threads(1));
-    const ClothSettings contact{.self_collision = {.method = SelfCollisionMethod::contact}};
-    const Cloth cooked(must(cook(sheet(12, 12))), {});
-    std::size_t expected = cooked.scratch_bytes;
-    std::vector<ClothId> ids;
-    for (int k = 0; k < 3; ++k) ids.push_back(world.add(std::make_unique<Cloth>(cooked)));
-    EXPECT_EQ(world.scratch.bytes(), expected);
-    Cloth& first = **world.cloths.find(ids[0]);
-    world.apply(first, contact);
-    EXPECT_GT(first.scratch_bytes, cooked.scratch_bytes);
-    expected += first.scratch_bytes;
-    EXPECT_EQ(world.scratch.bytes(), expected);
-    world.add_body({.settings = {}, .state = {}});
-    EXPECT_EQ(world.scratch.bytes(), expected + cooked.scratch_bytes);
-}
-
 // Of what a copy has for itself most is its state. The bounds are what was measured, and a twentieth.
 TEST(StepScratch, LeavesACopyItsStateAlone) {
     struct Case {

@@ -21,61 +21,6 @@ bool mentions(const Error& error, std::string_view text) {
     return error.message.find(text) != std::string::npos;
 }
 
-TEST(World, RefusesSettingsOutOfRangeAndNamesThem) {
-    struct Case {
-        const char* names;
-        void (*spoil)(WorldSettings&);
-    };
-    const Case cases[] = {
-        {"WorldSettings::gravity", [](WorldSettings& s) { s.gravity.y = not_a_number; }},
-        {"Wind::velocity",
-         [](WorldSettings& s) { s.wind.velocity.x = std::numeric_limits<float>::infinity(); }},
-        {"Wind::gust ", [](WorldSettings& s) { s.wind.gust = -1; }},
-        {"Wind::gust_length", [](WorldSettings& s) { s.wind.gust_length = 0; }},
-        {"Wind::air_density", [](WorldSettings& s) { s.wind.air_density = -0.1f; }},
-        {"WorldSettings::max_speed", [](WorldSettings& s) { s.max_speed = 0; }},
-        {"WorldSettings::substeps", [](WorldSettings& s) { s.substeps = 0; }},
-        {"WorldSettings::threads", [](WorldSettings& s) { s.threads = 257; }},
-    };
-    World world = make_world();
-    for (const Case& c : cases) {
-        WorldSettings settings;
-        c.spoil(settings);
-        const auto made = World::create(settings);
-        ASSERT_FALSE(made.ok()) << c.names;
-        EXPECT_TRUE(mentions(made.error(), c.names)) << made.error().message;
-        EXPECT_FALSE(world.set_settings(settings).ok());
-        EXPECT_EQ(world.settings().substeps, 1) << "a refused setting must leave the old ones";
-    }
-}
-
-TEST(World, RefusesClothSettingsOutOfRangeAndNamesThem) {
-    struct Case {
-        const char* names;
-        void (*spoil)(ClothSettings&);
-    };
-    const Case cases[] = {
-        {"Fabric::areal_density", [](ClothSettings& s) { s.fabric.areal_density = 0; }},
-        {"Fabric::areal_density", [](ClothSettings& s) { s.fabric.areal_density = -2; }},
-        {"Fabric::warp", [](ClothSettings& s) { s.fabric.warp = -3; }},
-        {"Fabric::damping", [](ClothSettings& s) { s.fabric.damping = not_a_number; }},
-        {"Jacobi::iterations", [](ClothSettings& s) { s.method = Jacobi{.iterations = -1}; }},
-        {"SelfCollision::distance", [](ClothSettings& s) { s.self_collision.distance = -0.01f; }},
-        {"ClothSettings::thickness", [](ClothSettings& s) { s.thickness = not_a_number; }},
-    };
-    World world = make_world();
-    const ClothId id = world.add_cloth(sheet(4, 4)).value();
-    for (const Case& c : cases) {
-        ClothSettings settings;
-        c.spoil(settings);
-        const auto set = world.set_cloth_settings(id, settings);
-        ASSERT_FALSE(set.ok()) << c.names;
-        EXPECT_TRUE(mentions(set.error(), c.names)) << set.error().message;
-        EXPECT_FALSE(world.add_cloth(sheet(4, 4), settings).ok());
-        EXPECT_EQ(world.cloth_settings(id)->fabric.warp, 400.0f);
-    }
-}
-
 TEST(World, RefusesBadStepsWithoutTouchingTheState) {
     World world = make_world();
     ASSERT_TRUE(world.add_cloth(sheet(6, 6)).ok());
@@ -275,29 +220,6 @@ TEST(World, SaysBelowWhichBendingFoldsAreFinerThanTheMesh) {
     EXPECT_NEAR(coarse / fine, 8, 1e-3f) << "half the edge, an eighth of the bending";
     settings.fabric.areal_density = 0.6f;
     EXPECT_NEAR(least(65) / fine, 2, 1e-3f);
-}
-
-TEST(World, MemoryForSelfCollisionIsThereOnlyWhenUsed) {
-    World world = make_world();
-    const ClothId id = world.add_cloth(sheet(32, 32)).value();
-    const std::uint64_t without = world.cloth_info(id)->bytes;
-    ClothSettings settings;
-    settings.self_collision.method = SelfCollisionMethod::contact;
-    ASSERT_TRUE(world.set_cloth_settings(id, settings).ok());
-    EXPECT_GT(world.cloth_info(id)->bytes, without);
-    ASSERT_TRUE(world.set_cloth_settings(id, {}).ok());
-    EXPECT_EQ(world.cloth_info(id)->bytes, without);
-}
-
-TEST(World, MemoryForContactsIsThereOnlyWithColliders) {
-    World world = make_world();
-    const ClothId id = world.add_cloth(sheet(16, 16)).value();
-    const std::uint64_t without = world.cloth_info(id)->bytes;
-    const ColliderId ground = world.add_collider({.shape = Plane{}}).value();
-    EXPECT_GT(world.cloth_info(id)->bytes, without + 50 * 256);
-    world.step(h);
-    ASSERT_TRUE(world.remove_collider(ground));
-    EXPECT_EQ(world.cloth_info(id)->bytes, without);
 }
 
 TEST(Guard, RestoresAClothThatRanAway) {

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <random>
 #include <span>
 
 #include "strips.h"
@@ -17,48 +16,6 @@
 
 namespace weft::test {
 namespace {
-
-double exact_angle(const std::array<Eigen::Vector3d, 4>& x) {
-    const Eigen::Vector3d edge = x[1] - x[0];
-    const Eigen::Vector3d n2 = edge.cross(x[2] - x[0]), n3 = (x[3] - x[0]).cross(edge);
-    return std::atan2(n2.cross(n3).dot(edge.normalized()), n2.dot(n3));
-}
-
-TEST(Dihedral, GradientIsTheAnglesDerivative) {
-    constexpr double step = 1e-6;
-    std::mt19937 random(4);
-    std::uniform_real_distribution<float> coordinate(-1, 1);
-    for (int trial = 0; trial < 50; ++trial) {
-        std::array<Vector3, 4> x;
-        for (Vector3& p : x) p = {coordinate(random), coordinate(random), coordinate(random)};
-        const Dihedral hinge = dihedral(x, 0);
-        std::array<Eigen::Vector3d, 4> at;
-        for (std::size_t k = 0; k < 4; ++k) at[k] = x[k].cast<double>();
-        EXPECT_NEAR(static_cast<double>(hinge.angle), exact_angle(at), 1e-4);
-        for (std::size_t k = 0; k < 4; ++k) {
-            for (int axis = 0; axis < 3; ++axis) {
-                auto up = at, down = at;
-                up[k][axis] += step;
-                down[k][axis] -= step;
-                const double slope =
-                    std::remainder(exact_angle(up) - exact_angle(down), 2 * std::numbers::pi) / (2 * step);
-                EXPECT_NEAR(static_cast<double>(hinge.gradient[k][axis]), slope,
-                            2e-3 * (1 + std::abs(slope)));
-            }
-        }
-    }
-}
-
-TEST(Dihedral, CollapsedTrianglesHaveABoundedGradient) {
-    const Vector3 origin = Vector3::Zero(), x_axis = Vector3::UnitX();
-    const std::array<Vector3, 4> point{origin, origin, origin, origin};
-    const std::array<Vector3, 4> line{origin, x_axis, 2 * x_axis, 0.5f * x_axis};
-    for (const auto& x : {point, line}) {
-        const Dihedral hinge = dihedral(x, 0.1f);
-        EXPECT_TRUE(std::isfinite(hinge.angle));
-        for (const Vector3& g : hinge.gradient) EXPECT_LE(g.norm(), 40);
-    }
-}
 
 /// x^T Q x / 2 of quadratic bending with rigidity 1, in double precision.
 double quadratic_energy(const Bending& bending, const std::vector<Eigen::Vector3d>& x) {

@@ -57,11 +57,6 @@ struct Hanging {
         return xyz(view.positions[view.vertex_to_particle[vertex]]);
     }
     [[nodiscard]] float gap(std::uint32_t k) const { return (place(a, bottom[k]) - place(b, top[k])).norm(); }
-    [[nodiscard]] float widest_gap() const {
-        float widest = 0;
-        for (std::uint32_t k = 0; k < columns; ++k) widest = std::max(widest, gap(k));
-        return widest;
-    }
     [[nodiscard]] float weight(ClothId id) const { return 9.81f * world.cloth_info(id)->mass; }
 
     World world;

@@ -9,49 +9,10 @@
 #include "cloth/motion/history.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::step_lengths {
 namespace {
 
 constexpr float h = 1.0f / 60;
-
-TEST(Bdf, AtEqualStepsIsThatOfCurtissAndHirschfelder) {
-    for (const float step : {1.0f / 240, h, 1.0f / 30, 0.123f}) {
-        const Bdf bdf = bdf_after(step, step);
-        EXPECT_EQ(bdf.gamma, step * (2.0f / 3.0f));
-        EXPECT_EQ(bdf.divisor, 3.0f);
-    }
-}
-
-TEST(Bdf, IsBackwardEulerWhereThereWasNoStep) {
-    const Bdf bdf = bdf_after(0, h);
-    EXPECT_FALSE(bdf.is_second_order());
-    EXPECT_EQ(bdf.gamma, h);
-}
-
-// x = 1, t, t^2 with x_base + gamma x': t = 0 is where the step begins.
-TEST(Bdf, IsExactForParabolasUpToTwiceTheLastStep) {
-    for (float ratio = 0.01f; ratio <= 2; ratio *= 1.1f) {
-        const double last = static_cast<double>(h), next = static_cast<double>(ratio * h);
-        const Bdf bdf = bdf_after(h, ratio * h);
-        const auto gamma = static_cast<double>(bdf.gamma), kept = 1 / static_cast<double>(bdf.divisor);
-        EXPECT_NEAR(kept * last + gamma, next, 1e-6 * next) << ratio;
-        EXPECT_NEAR(-kept * last * last + gamma * 2 * next, next * next, 2e-6 * next * next) << ratio;
-    }
-}
-
-TEST(Bdf, IsExactForStraightMotionAndZeroStableAfterAnyStep) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> exponent(-6, 0);
-    for (int k = 0; k < 1000; ++k) {
-        const float last = std::pow(10.0f, exponent(random)), next = std::pow(10.0f, exponent(random));
-        const float least_gamma = k % 2 == 0 ? 0.0f : next * (0.5f + 0.5f * static_cast<float>(k) / 1000);
-        const Bdf bdf = bdf_after(last, next, least_gamma);
-        EXPECT_NEAR((last / bdf.divisor + bdf.gamma) / next, 1, 2e-6) << last << " then " << next;
-        EXPECT_GT(bdf.divisor, 1.2f);
-        EXPECT_GE(bdf.gamma, least_gamma);
-        EXPECT_LE(bdf.gamma, next);
-    }
-}
 
 /// A sheet of cotton that swings by two corners, without air.
 struct Swing {
@@ -179,4 +140,4 @@ TEST(StepLengths, ClothThatIsAddedBesideAnotherFallsByOneStep) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::step_lengths

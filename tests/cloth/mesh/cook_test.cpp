@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <map>
@@ -55,53 +54,6 @@ double surface_area(const Mesh& mesh) {
     return total;
 }
 
-TEST(Cook, EverySpringIsStoredAtBothEndsAlike) {
-    for (const test::NamedMesh& sample : test::sound_meshes()) {
-        SCOPED_TRACE(sample.name);
-        const ClothModel cloth = test::must(cook(sample.mesh));
-        ASSERT_EQ(cloth.spring_offsets[cloth.particle_count], cloth.neighbours.size());
-        for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
-            for (const HalfEdge& edge : row(cloth, i)) {
-                const auto twin = half_edge(cloth, edge.neighbour, i);
-                ASSERT_TRUE(twin) << i << " - " << edge.neighbour;
-                EXPECT_EQ(std::bit_cast<std::uint32_t>(twin->rest_length),
-                          std::bit_cast<std::uint32_t>(edge.rest_length));
-                EXPECT_EQ(twin->kind, edge.kind);
-                EXPECT_GT(edge.rest_length, 0);
-            }
-        }
-    }
-}
-
-TEST(Cook, RowsAscendStrictly) {
-    for (const test::NamedMesh& sample : test::sound_meshes()) {
-        SCOPED_TRACE(sample.name);
-        const ClothModel cloth = test::must(cook(sample.mesh));
-        for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
-            const std::vector<HalfEdge> edges = row(cloth, i);
-            for (std::size_t e = 0; e < edges.size(); ++e) {
-                EXPECT_NE(edges[e].neighbour, i);
-                EXPECT_TRUE(e == 0 || edges[e - 1].neighbour < edges[e].neighbour);
-            }
-        }
-    }
-}
-
-TEST(Cook, CornerListsAreTheTrianglesOfEachParticle) {
-    for (const test::NamedMesh& sample : test::sound_meshes()) {
-        SCOPED_TRACE(sample.name);
-        const ClothModel cloth = test::must(cook(sample.mesh));
-        for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
-            std::vector<std::uint32_t> expected;
-            for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t)
-                if (std::ranges::count(cloth.triangles[t], i) > 0) expected.push_back(t);
-            const auto corners = cloth.corner_triangles.span().subspan(
-                cloth.corner_offsets[i], cloth.corner_offsets[i + 1] - cloth.corner_offsets[i]);
-            EXPECT_TRUE(std::ranges::equal(corners, expected));
-        }
-    }
-}
-
 TEST(Cook, RestAreasSumToTheSurface) {
     for (const test::NamedMesh& sample : test::sound_meshes()) {
         SCOPED_TRACE(sample.name);
@@ -149,62 +101,6 @@ TEST(Cook, InfoCountsWhatIsThere) {
     }
 }
 
-TEST(Cook, GridSpringsRunAlongTheThreads) {
-    const std::uint32_t rows = 4, columns = 6;
-    const ClothModel cloth = test::must(cook(test::must(make_sheet({.rows = rows, .columns = columns}))));
-    const auto at = [&](std::uint32_t r, std::uint32_t c) { return r * columns + c; };
-    for (std::uint32_t a = 0; a < rows * columns; ++a) {
-        for (std::uint32_t b = 0; b < a; ++b) {
-            const auto distance_of = [](std::uint32_t p, std::uint32_t q) { return p < q ? q - p : p - q; };
-            const std::uint32_t dr = distance_of(a / columns, b / columns);
-            const std::uint32_t dc = distance_of(a % columns, b % columns);
-            std::optional<SpringKind> expected;
-            if (dr + dc == 1) expected = SpringKind::structural;
-            if (dr == 1 && dc == 1) expected = SpringKind::shear;
-            if ((dr == 2 && dc == 0) || (dr == 0 && dc == 2)) expected = SpringKind::bending;
-            const auto found = spring(cloth, a, b);
-            ASSERT_EQ(found.has_value(), expected.has_value()) << a << " - " << b;
-            if (found) {
-                EXPECT_EQ(found->kind, *expected);
-            }
-        }
-    }
-    EXPECT_EQ(cloth.info.structural_springs, rows * (columns - 1) + columns * (rows - 1));
-    EXPECT_EQ(cloth.info.shear_springs, 2 * (rows - 1) * (columns - 1));
-    EXPECT_EQ(cloth.info.bending_elements,
-              rows * (columns - 2) + columns * (rows - 2) + (rows - 1) * (columns - 1));
-    EXPECT_FLOAT_EQ(spring(cloth, at(1, 1), at(1, 3))->rest_length, 2 / 5.0f);
-}
-
-TEST(Cook, GeneralMeshHasASpringPerEdgeAndBendsThreeWaysAtEachParticle) {
-    const Mesh mesh = test::sphere(2);
-    const ClothModel cloth = test::must(cook(mesh));
-    const std::uint32_t edges = static_cast<std::uint32_t>(mesh.triangles.size()) * 3 / 2;
-    EXPECT_EQ(cloth.info.structural_springs, edges);
-    EXPECT_EQ(cloth.info.bending_elements, 3 * cloth.particle_count);
-    EXPECT_EQ(cloth.info.shear_springs, 0u);
-}
-
-TEST(Cook, StructuralWinsWhereAPairOfOppositesIsAnEdge) {
-    Mesh tetrahedron;
-    tetrahedron.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-    const ClothModel cloth = test::must(cook(tetrahedron));
-    EXPECT_EQ(cloth.info.structural_springs, 6u);
-    for (const SpringKind kind : cloth.kinds) EXPECT_EQ(kind, SpringKind::structural);
-}
-
-TEST(Cook, OnePairSeenAcrossTwoEdgesGetsOneSpring) {
-    // A pyramid without its base: vertices 1 and 3 face each other across the edge 0-2 and across 0-4.
-    Mesh pyramid;
-    pyramid.positions = {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
-    pyramid.triangles = {{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}};
-    const ClothModel cloth = test::must(cook(pyramid));
-    EXPECT_EQ(cloth.info.structural_springs, 8u);
-    EXPECT_EQ(spring(cloth, 1, 3)->kind, SpringKind::bending);
-    EXPECT_EQ(row(cloth, cloth.vertex_to_particle[1]).size(), 4u);  // all others, each once
-}
-
 /// Two panels of one triangle each, sewn along the edge of vertices 0 and 1; the second panel's seam is
 /// `gather` times as long as the first's. In space the cloth is folded.
 Mesh sewn_panels(float gather) {
@@ -249,16 +145,6 @@ TEST(Cook, PatternOfAFlatSheetGivesTheSameClothAsTheSheet) {
     }
     for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
         EXPECT_NEAR(cloth.rest_area[i], expected.rest_area[i], 1e-7);
-}
-
-TEST(Cook, PatternOfAGridIsItsRestShape) {
-    Mesh grid = test::must(make_sheet({.rows = 4, .columns = 5}));
-    const ClothModel expected = test::must(cook(grid));
-    grid.pattern = grid.texcoords;
-    for (Vec3& p : grid.positions) p.x *= 0.25f;
-    const ClothModel cloth = test::must(cook(grid));
-    for (std::uint32_t e = 0; e < cloth.neighbours.size(); ++e)
-        EXPECT_NEAR(cloth.rest_lengths[e], expected.rest_lengths[e], 1e-6);
 }
 
 TEST(Cook, UnrolledTubeIsWeldedAndKeepsItsCircumference) {

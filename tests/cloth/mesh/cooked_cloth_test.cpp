@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <future>
@@ -284,82 +282,6 @@ TEST(CookedCloth, OfManyTakesLittleMoreThanTheirStates) {
     EXPECT_EQ(one.scratch_bytes, alone.scratch_bytes);
     EXPECT_LT(one.bytes - one.scratch_bytes, alone.bytes / 6) << "all but what its steps take";
     EXPECT_EQ(one.particles, alone.particles);
-}
-
-// WEFT_COOKED_TABLE=100: so many flags, each of a cooking of its own, and all of one.
-TEST(CookedCloth, Table) {
-    const char* const count = std::getenv("WEFT_COOKED_TABLE");
-    if (count == nullptr) GTEST_SKIP() << "set WEFT_COOKED_TABLE to a number of cloths";
-    const int cloths = std::atoi(count);
-    const auto now = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
-    std::printf(
-        "particles      | by meshes, ms each, MB | cooked, ms | added, ms each, MB | file MB | read, ms; "
-        "where it lies\n");
-    for (const std::uint32_t side : {64u, 128u, 316u}) {
-        for (const bool grid : {true, false}) {
-            Mesh mesh = make_sheet({.rows = side, .columns = side}).value();
-            if (!grid) mesh.rows = mesh.columns = 0;
-            const int number =
-                static_cast<int>(std::max(1u, static_cast<std::uint32_t>(cloths) * 4096 / (side * side)));
-            World alone = World::create({.threads = 1}).value(),
-                  shared = World::create({.threads = 1}).value();
-            const double start = now();
-            double own = 0, of_cooked = 0;
-            for (int k = 0; k < number; ++k) {
-                const ClothInfo info = *alone.cloth_info(alone.add_cloth(mesh).value());
-                own += static_cast<double>(info.bytes - (k > 0 ? info.scratch_bytes : 0));
-            }
-            const double cooking = now();
-            const CookedCloth cooked = CookedCloth::create(mesh).value();
-            const double adding = now();
-            for (int k = 0; k < number; ++k) {
-                const ClothInfo info = *shared.cloth_info(shared.add_cloth(cooked).value());
-                of_cooked += static_cast<double>(info.bytes - info.scratch_bytes);
-                if (k == 0) of_cooked += static_cast<double>(info.shared_bytes + info.scratch_bytes);
-            }
-            const double added = now();
-            std::vector<std::byte> bytes(cooked.save_size());
-            ASSERT_TRUE(cooked.save(bytes));
-            const double reading = now();
-            ASSERT_TRUE(CookedCloth::load(bytes));
-            const double copied = now();
-            std::vector<std::byte> with_room(bytes.size() + 64);
-            const auto lines = std::span(with_room).subspan(
-                (64 - reinterpret_cast<std::uintptr_t>(with_room.data()) % 64) % 64, bytes.size());
-            std::memcpy(lines.data(), bytes.data(), bytes.size());
-            const double lending = now();
-            ASSERT_TRUE(CookedCloth::load_in_place(
-                lines, std::shared_ptr<const void>(lines.data(), [](const void*) {})));
-            std::printf("%6u %s x %3d | %.1f, %.1f | %.1f | %.3f, %.1f | %.2f | %.1f, %.1f\n", side * side,
-                        grid ? "grid" : "mesh", number, (cooking - start) / number, own * 1e-6,
-                        adding - cooking, (added - adding) / number, of_cooked * 1e-6,
-                        static_cast<double>(bytes.size()) * 1e-6, copied - reading, now() - lending);
-        }
-    }
-}
-
-TEST(CookedCloth, StandsWhereItIsPut) {
-    World world = World::create({.gravity = {0, 0, 0}}).value();
-    const CookedCloth cooked = CookedCloth::create(hung_sheet(1)).value();
-    const float half = std::sqrt(0.5f);
-    const ClothId there =
-        world.add_cloth(cooked, {.translation = {1, 2, 3}, .rotation = {0, half, 0, half}}).value();
-    const ClothView& view = *world.cloth(there);
-    // A quarter turn about y takes x to -z and z to x.
-    EXPECT_NEAR(view.positions[47].x, 1, 1e-6);
-    EXPECT_NEAR(view.positions[47].y, 3, 1e-6);
-    EXPECT_NEAR(view.positions[47].z, 3 - 47 / 128.0f, 1e-6);
-    EXPECT_NEAR(view.positions[528].x, 1 + 11 / 32.0f, 1e-6);
-    EXPECT_NEAR(view.bounds.upper.x, 1 + 11 / 32.0f, 1e-6);
-    EXPECT_NEAR(std::abs(view.normals[50].y), 1, 1e-6);
-    EXPECT_EQ(view.previous_positions[47].z, view.positions[47].z);
-
-    const auto far = world.add_cloth(cooked, {.translation = {2e5f, 0, 0}});
-    ASSERT_FALSE(far);
-    EXPECT_NE(far.error().message.find("vertex 0"), std::string::npos) << far.error().message;
-    EXPECT_FALSE(world.add_cloth(cooked, {.translation = {}, .rotation = {0, 0, 0, 0}}));
-    world.step(1.0f / 60);
-    EXPECT_EQ(world.report().cloths, 1u);
 }
 
 TEST(CookedCloth, OfAnArtistsMeshSaysWhatItDid) {

@@ -4,9 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <limits>
@@ -363,28 +361,6 @@ TEST(DrawnMesh, FollowsAClothInAWorld) {
             nearest = std::min(nearest, (xyz(p) - xyz(q)).norm());
         EXPECT_LT(nearest, 0.06f);
     }
-}
-
-/// WEFT_DRAWN_TABLE=1: what 30 000 vertices over 3 000 cost.
-TEST(DrawnMesh, Table) {
-    if (std::getenv("WEFT_DRAWN_TABLE") == nullptr) GTEST_SKIP() << "set WEFT_DRAWN_TABLE";
-    const Cage cage(54, bent);
-    Fine fine(173);
-    for (Vec3& p : fine.vertices) p = to_vec3(bent(p.x, p.y).p);
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
-    const auto mesh = DrawnMesh::bind(cage.view, fine.surface());
-    const auto bound = Clock::now();
-    Drawn drawn(mesh->size());
-    double least = 1e9;
-    for (int i = 0; i < 50; ++i) {
-        const auto before = Clock::now();
-        mesh->update(cage.view, drawn.spans());
-        least = std::min(least, std::chrono::duration<double, std::milli>(Clock::now() - before).count());
-    }
-    std::printf("%zu vertices over %zu: bound in %.1f ms, updated in %.3f ms\n", mesh->size(),
-                cage.positions.size(), std::chrono::duration<double, std::milli>(bound - begin).count(),
-                least);
 }
 
 }  // namespace

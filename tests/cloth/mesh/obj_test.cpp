@@ -5,7 +5,6 @@
 #include <cstring>
 #include <fstream>
 #include <numbers>
-#include <random>
 
 #include "cloth/mesh/cook.h"
 #include "engine/vector.h"
@@ -308,41 +307,6 @@ TEST_F(ObjFile, AFaceOfManyCornersIsClothWithoutACrowdedVertex) {
     EXPECT_FALSE(has(world.step(1.0f / 60).flags, StepFlags::state_restored));
 }
 
-TEST_F(ObjFile, FacesAreFansUpTo64Corners) {
-    for (const std::size_t corners : {64u, 65u}) {
-        std::string text, face = "f";
-        for (std::size_t i = 0; i < corners; ++i) {
-            text.append("v ")
-                .append(std::to_string(i))
-                .append(" ")
-                .append(std::to_string(i * i))
-                .append(" 0\n");
-            face.append(" ").append(std::to_string(i + 1));
-        }
-        const Mesh mesh = test::must(load(text + face + "\n"));
-        const auto first = std::ranges::count_if(
-            mesh.triangles, [](const Triangle& t) { return std::ranges::count(t, 0u) > 0; });
-        EXPECT_EQ(mesh.triangles.size(), corners - 2);
-        EXPECT_EQ(first == 62, corners == 64);
-    }
-}
-
-TEST_F(ObjFile, ManyTextureCoordinatesAtOneVertex) {
-    // A search through those that a vertex already has would take twenty thousand million steps.
-    constexpr std::uint32_t count = 200'000;
-    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    for (std::uint32_t i = 0; i < count; ++i) text.append("vt ").append(std::to_string(i)).append(" 0\n");
-    for (std::uint32_t i = 1; i <= count; ++i)
-        text.append("f 1/").append(std::to_string(i)).append(" 2/1 3/1\n");
-    const Mesh mesh = test::must(load(text));
-    ASSERT_EQ(mesh.positions.size(), 3 + count - 1);
-    EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));
-    for (std::uint32_t i = 1; i < count; ++i) {
-        ASSERT_EQ(mesh.triangles[i], (Triangle{2 + i, 1, 2}));
-        ASSERT_EQ(mesh.texcoords[2 + i].x, static_cast<float>(i));
-    }
-}
-
 TEST_F(ObjFile, LinesAreOfALimitedLengthAndCommentsOfAny) {
     constexpr std::size_t limit = 1 << 20;
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\n", face = "f 1 2 3";
@@ -433,61 +397,6 @@ TEST_F(ObjFile, RoundTripKeepsThePattern) {
     const Mesh mesh = test::must(load_obj(file_, {.texcoords_are_pattern = true}));
     EXPECT_TRUE(same_bytes(mesh.pattern, expected.pattern));
     EXPECT_EQ(mesh.triangles, expected.triangles);
-}
-
-TEST_F(ObjFile, RoundTripOfAnyFloat) {
-    std::mt19937 random(11);
-    std::uniform_real_distribution<float> mantissa(-1, 1);
-    std::uniform_int_distribution<int> exponent(-140, 16);
-    Mesh expected;
-    for (int i = 0; i < 3000; ++i) {
-        const auto any = [&] { return std::ldexp(mantissa(random), exponent(random)); };
-        expected.positions.push_back({any(), any(), any()});
-    }
-    expected.triangles.push_back({0, 1, 2});
-    ASSERT_TRUE(save_obj(file_, expected));
-    EXPECT_TRUE(same_bytes(test::must(load_obj(file_)).positions, expected.positions));
-}
-
-constexpr std::string_view seam_text =
-    "# two panels\r\nmtllib a.mtl\nv 0 0 0\nvv 1 2 3\nv 1.5 0 0\nv 1 1e-1 0 \nv 0 1 -0.25\nvt 0 0\nvt 1 "
-    "0\nvt 1 1\n"
-    "vt 2 0\nvt 3 1 0\nvt 2 1\nvn 0 0 1\nf 1/1/1 2/2/1 \\\n3/3/1\nf -4/4 -2/-2/1 4/6\nt 0 1\nf 1//1 2 3/3 4";
-
-/// Whatever the text, the answer is a mesh that holds together or an error that names the file.
-void expect_sound_or_refused(const Result<Mesh>& mesh) {
-    if (!mesh) {
-        EXPECT_NE(mesh.error().message.find("cloth.obj:"), std::string::npos);
-        return;
-    }
-    EXPECT_FALSE(mesh->triangles.empty());
-    for (const Triangle& triangle : mesh->triangles)
-        for (const std::uint32_t vertex : triangle) EXPECT_LT(vertex, mesh->positions.size());
-    EXPECT_TRUE(mesh->texcoords.empty() || mesh->texcoords.size() == mesh->positions.size());
-    if (const auto cooked = cook(*mesh); !cooked) {
-        EXPECT_FALSE(cooked.error().message.empty());
-    }
-}
-
-TEST_F(ObjFile, CutShortAnywhereItLoadsOrSaysWhy) {
-    ASSERT_TRUE(load(seam_text));
-    for (std::size_t length = 0; length < seam_text.size(); ++length) {
-        SCOPED_TRACE(length);
-        for (const bool pattern : {false, true})
-            expect_sound_or_refused(load(seam_text.substr(0, length), {.texcoords_are_pattern = pattern}));
-    }
-}
-
-TEST_F(ObjFile, WithAnyByteChangedItLoadsOrSaysWhy) {
-    std::mt19937 random(3);
-    constexpr std::string_view bytes = "0123456789 /\\-+.e\n\r\tvtfn#x\0\xff";
-    std::uniform_int_distribution<std::size_t> byte(0, bytes.size() - 1), place(0, seam_text.size() - 1);
-    for (int round = 0; round < 1000; ++round) {
-        SCOPED_TRACE(round);
-        std::string text(seam_text);
-        for (int change = 0; change <= round % 4; ++change) text[place(random)] = bytes[byte(random)];
-        expect_sound_or_refused(load(text, {.texcoords_are_pattern = round % 2 == 0}));
-    }
 }
 
 }  // namespace

@@ -35,31 +35,6 @@ std::vector<std::uint32_t> shuffled(std::vector<std::uint32_t> numbers, unsigned
     return numbers;
 }
 
-Mesh shuffled(const Mesh& mesh, unsigned seed) {
-    std::vector<std::uint32_t> numbers(mesh.positions.size());
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    return with_vertices(mesh, shuffled(std::move(numbers), seed));
-}
-
-/// Largest difference between the numbers of spring neighbours.
-std::uint32_t bandwidth(const ClothModel& cloth) {
-    std::uint32_t widest = 0;
-    for (std::uint32_t i = 0; i < cloth.particle_count; ++i)
-        for (std::uint32_t e = cloth.spring_offsets[i]; e < cloth.spring_offsets[i + 1]; ++e)
-            widest = std::max(widest, std::max(cloth.neighbours[e], i) - std::min(cloth.neighbours[e], i));
-    return widest;
-}
-
-TEST(Ordering, IsAPermutationOfEachComponentsParticles) {
-    for (const test::NamedMesh& named : test::sound_meshes()) {
-        const Topology topology = test::must(build_topology(named.mesh));
-        std::vector<std::uint32_t> order = memory_order(topology);
-        ASSERT_EQ(order.size(), topology.particle_count()) << named.name;
-        std::ranges::sort(order);
-        for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i) << named.name;
-    }
-}
-
 TEST(Ordering, RenumberingKeepsTheSurface) {
     for (const test::NamedMesh& named : test::sound_meshes()) {
         const Topology before = test::must(build_topology(named.mesh));
@@ -84,34 +59,6 @@ TEST(Ordering, RenumberingKeepsTheSurface) {
         for (std::uint32_t i = 0; i < after.particle_count(); ++i)
             EXPECT_EQ(after.vertex_to_particle[after.first_vertices[i]], i) << named.name;
         EXPECT_EQ(after.component_offsets.size(), before.component_offsets.size()) << named.name;
-    }
-}
-
-TEST(Ordering, NeighboursAreNearWhateverOrderTheMeshCameIn) {
-    const Mesh mesh = test::loose_sheet(60, 60);
-    // A diagonal front of the sheet crosses 60 particles or so, springs reach two fronts, windows mix 256.
-    const std::uint32_t limit = 2 * 2 * 60 + 256;
-    EXPECT_LT(bandwidth(test::must(cook(mesh))), limit);
-    for (const unsigned seed : {1u, 2u, 3u})
-        EXPECT_LT(bandwidth(test::must(cook(shuffled(mesh, seed)))), limit) << seed;
-}
-
-TEST(Ordering, GroupsHaveFewIdleLanes) {
-    for (const unsigned seed : {1u, 2u}) {
-        const ClothModel cloth = test::must(cook(shuffled(test::loose_sheet(60, 60), seed)));
-        std::vector<std::uint32_t> offsets{0}, springs;
-        for (std::uint32_t i = 0; i < cloth.particle_count; ++i) {
-            for (std::uint32_t e = cloth.spring_offsets[i]; e < cloth.spring_offsets[i + 1]; ++e)
-                if (cloth.kinds[e] != SpringKind::bending) springs.push_back(cloth.neighbours[e]);
-            offsets.push_back(static_cast<std::uint32_t>(springs.size()));
-        }
-        const Stencil of_springs(offsets, springs),
-            of_all(cloth.spring_offsets.span(), cloth.neighbours.span());
-        const auto fill = [](std::size_t used, const Stencil& of) {
-            return static_cast<double>(used) / (of.slots() * Stencil::lanes);
-        };
-        EXPECT_GT(fill(springs.size(), of_springs), 0.7) << seed;
-        EXPECT_GT(fill(cloth.neighbours.size(), of_all), 0.75) << seed;
     }
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <set>
 
 #include "tests/cloth/meshes.h"
 
@@ -50,65 +49,11 @@ TEST(Topology, EulerCharacteristicComponentsAndBorders) {
     }
 }
 
-TEST(Topology, EdgesAscendAndKnowTheirTriangles) {
-    for (const test::NamedMesh& sample : test::sound_meshes()) {
-        SCOPED_TRACE(sample.name);
-        const Topology topology = test::must(build_topology(sample.mesh));
-        EXPECT_TRUE(std::ranges::is_sorted(topology.edges, std::less_equal<>{}, &Edge::particles) ||
-                    topology.edges.size() < 2);
-        std::uint32_t borders = 0;
-        for (const Edge& edge : topology.edges) {
-            EXPECT_LT(edge.particles[0], edge.particles[1]);
-            borders += edge.is_border();
-            for (std::size_t side = 0; side < (edge.is_border() ? 1u : 2u); ++side) {
-                const Triangle& triangle = topology.triangles[edge.triangles[side]];
-                const std::set<std::uint32_t> expected{edge.particles[0], edge.particles[1],
-                                                       edge.opposites[side]};
-                EXPECT_EQ(std::set<std::uint32_t>(triangle.begin(), triangle.end()), expected);
-            }
-        }
-        EXPECT_EQ(borders, topology.border_edges);
-    }
-}
-
-TEST(Topology, ComponentsPartitionTheParticles) {
-    for (const test::NamedMesh& sample : test::sound_meshes()) {
-        SCOPED_TRACE(sample.name);
-        const Topology topology = test::must(build_topology(sample.mesh));
-        std::vector<std::uint32_t> component_of(topology.particle_count(), ~0u);
-        std::uint32_t previous_first = 0;
-        for (std::uint32_t c = 0; c < components(topology); ++c) {
-            const auto begin = topology.component_particles.begin() + topology.component_offsets[c];
-            const auto end = topology.component_particles.begin() + topology.component_offsets[c + 1];
-            ASSERT_LT(begin, end);
-            EXPECT_TRUE(std::is_sorted(begin, end));
-            EXPECT_TRUE(c == 0 || previous_first < *begin);
-            previous_first = *begin;
-            for (auto at = begin; at != end; ++at) component_of[*at] = c;
-        }
-        EXPECT_EQ(topology.component_particles.size(), topology.particle_count());
-        EXPECT_EQ(std::ranges::count(component_of, ~0u), 0);
-        for (const Edge& edge : topology.edges)
-            EXPECT_EQ(component_of[edge.particles[0]], component_of[edge.particles[1]]);
-    }
-}
-
 TEST(Topology, SharedParticleJoinsComponentsThatShareNoEdge) {
     Mesh bow_tie;
     bow_tie.positions = {{-1, 0, 0}, {-1, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
     bow_tie.triangles = {{0, 2, 1}, {2, 3, 4}};
     EXPECT_EQ(components(test::must(build_topology(bow_tie))), 1u);
-}
-
-TEST(Topology, LooseParticlesAreComponentsOfTheirOwn) {
-    Mesh mesh = test::fan(2);
-    mesh.positions.insert(mesh.positions.begin(), {9, 9, 9});
-    for (Triangle& triangle : mesh.triangles)
-        for (std::uint32_t& vertex : triangle) ++vertex;
-    mesh.positions.push_back({8, 8, 8});
-    const Topology topology = test::must(build_topology(mesh));
-    EXPECT_EQ(topology.loose_particles, 2u);
-    EXPECT_EQ(topology.component_offsets, (std::vector<std::uint32_t>{0, 1, 5, 6}));
 }
 
 TEST(Topology, WeldsSeamVerticesAndNumbersParticlesByFirstVertex) {
@@ -178,11 +123,6 @@ TEST(Topology, SeamsAreWeldedHoweverTheSurfaceIsSplit) {
     const Topology topology = test::must(build_topology(soup));
     EXPECT_EQ(topology.particle_count(), test::must(build_topology(ball)).particle_count());
     EXPECT_EQ(topology.border_edges, 0u);
-}
-
-TEST(Topology, GridKeepsItsNumbers) {
-    const Topology topology = test::must(build_topology(test::must(make_sheet({.rows = 9, .columns = 4}))));
-    for (std::uint32_t i = 0; i < 36; ++i) EXPECT_EQ(topology.vertex_to_particle[i], i);
 }
 
 TEST(Topology, TurnsTheSmallerPartAndLeavesWhatHasOneSide) {

@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <random>
 
 #include <Eigen/Geometry>
@@ -209,39 +207,6 @@ Polygon with_holes_about_a_corner(int holes) {
     return polygon;
 }
 
-/// The outline of squares of a grid, each beside one of the others, with a corner at every point of the grid.
-/// The outline meets itself where two squares share only a corner. Empty: they enclose a hole.
-Polygon random_squares(std::size_t count, std::mt19937& random) {
-    using Cell = std::pair<int, int>;
-    std::vector<Cell> cells{{0, 0}};
-    const auto has = [&](int x, int y) { return std::ranges::find(cells, Cell(x, y)) != cells.end(); };
-    constexpr std::array<Cell, 4> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-    while (cells.size() < count) {
-        const auto [x, y] = cells[random() % cells.size()];
-        const auto [u, v] = ways[random() % 4];
-        if (!has(x + u, y + v)) cells.emplace_back(x + u, y + v);
-    }
-    const auto [left, below] = std::ranges::min(cells);
-    int x = left, y = below;
-    std::size_t way = 0;
-    Polygon polygon;
-    do {
-        polygon.emplace_back(x, y);
-        x += ways[way].first, y += ways[way].second;
-        // To the left of the ways ahead: the square ahead to the left, then the one ahead to the right.
-        const auto square = [&](std::size_t quarter) {
-            constexpr std::array<Cell, 4> of{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
-            return has(x + of[quarter % 4].first, y + of[quarter % 4].second);
-        };
-        if (!square(way))
-            way = (way + 1) % 4;
-        else if (square(way + 3))
-            way = (way + 3) % 4;
-    } while (x != left || y != below || way != 0);
-    if (std::abs(signed_area(polygon) - static_cast<double>(count)) > 0.5) return {};
-    return polygon;
-}
-
 class Triangulation : public testing::Test {
   protected:
     /// Wherever it lies, and from whichever corner it begins.
@@ -322,18 +287,6 @@ TEST_F(Triangulation, CutsFacesThatMeetThemselvesAtACorner) {
     expect_right_anywhere({{0, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}}, "corner twice");
 }
 
-TEST_F(Triangulation, CutsOutlinesOfSquares) {
-    int met = 0;
-    for (int k = 0; k < 300; ++k) {
-        const Polygon polygon = random_squares(2 + random_() % 40, random_);
-        if (polygon.empty()) continue;
-        ++met;
-        expect_right_anywhere(polygon, "squares " + std::to_string(k), 3);
-        if (HasFailure()) return;
-    }
-    EXPECT_GT(met, 50);
-}
-
 TEST_F(Triangulation, OutlinesThatCrossThemselvesAreTold) {
     expect_crossing({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, "bow tie");
     expect_crossing({{0, 0}, {2, 1}, {2, 0}, {0, 1.1}}, "uneven bow tie");
@@ -372,19 +325,6 @@ TEST_F(Triangulation, FacesWithoutAreaAreCutAsTheyAre) {
     EXPECT_EQ(triangles.size(), 7u);
 }
 
-TEST_F(Triangulation, KeepsFansAndHalvesThatAreRight) {
-    std::vector<Triangle> triangles;
-    const std::vector<Vec3> saddle{{0, 0, 0}, {1, 0, 0.5f}, {1, 1, 0}, {0, 1, 0.5f}};
-    EXPECT_TRUE(triangulate(saddle, triangles));
-    EXPECT_EQ(triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
-    const std::vector<Vec3> arrowhead{{2, 1, 0}, {0, 2, 0}, {0.5f, 1, 0}, {0, 0, 0}};
-    EXPECT_TRUE(triangulate(arrowhead, triangles));
-    EXPECT_EQ(triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
-    const std::vector<Vec3> turned{{0, 2, 0}, {0.5f, 1, 0}, {0, 0, 0}, {2, 1, 0}};
-    EXPECT_TRUE(triangulate(turned, triangles));
-    for (const Triangle& t : triangles) EXPECT_EQ(std::ranges::count(t, 1u) + std::ranges::count(t, 3u), 2);
-}
-
 TEST_F(Triangulation, AConcaveFaceOfManyCornersCrowdsNone) {
     Polygon polygon;
     for (int i = 0; i < 10'000; ++i) {
@@ -398,39 +338,6 @@ TEST_F(Triangulation, AConcaveFaceOfManyCornersCrowdsNone) {
     for (const Triangle& t : triangles)
         for (const std::uint32_t corner : t) ++at[corner];
     EXPECT_LE(std::ranges::max(at), 2 * 14);
-}
-
-// Ear clipping that tries each corner against each takes a minute for some of these.
-TEST_F(Triangulation, LargeFacesTakeSecondsAtMost) {
-    const Placing turned{.turn = Eigen::Quaterniond(1, 0.3, 0.2, 0.4).normalized()};
-    std::vector<Triangle> triangles;
-    const auto expect_soon = [&](const Polygon& polygon, const std::string& what, bool is_cut = true) {
-        std::vector<Vec3> outline;
-        for (const Vector2d& p : polygon)
-            outline.push_back(to_vec3((turned.turn * Vector3d(p.x(), p.y(), 0)).cast<float>()));
-        const auto start = std::chrono::steady_clock::now();
-        EXPECT_EQ(triangulate(outline, triangles), is_cut) << what;
-        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << what;
-        if (is_cut) expect_right(polygon, triangles, what);
-    };
-    expect_soon(comb(2500), "comb");
-    expect_soon(comb(2500, 1, 5000), "comb of long teeth");
-    expect_soon(star(10'000, random_), "star");
-    expect_soon(spiral(20, 5000), "spiral");
-    Polygon leaves, crossing;
-    std::uniform_real_distribution<double> unit(-1, 1);
-    for (int i = 0; i < 10'000; ++i) {
-        for (const double ahead : {0.0, 0.4}) {
-            const double angle = 2 * std::numbers::pi * (i + ahead) / 10'000;
-            leaves.emplace_back(std::cos(angle), std::sin(angle));
-        }
-        leaves.emplace_back(0, 0);
-        crossing.emplace_back(unit(random_), unit(random_));
-    }
-    expect_soon(leaves, "ten thousand leaves at a corner", false);
-    leaves.resize(300);
-    expect_soon(leaves, "a hundred leaves at a corner");
-    expect_soon(crossing, "random corners", false);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "cloth/mesh/cook.h"
@@ -52,30 +51,6 @@ TEST(VertexMaps, ParticlesGetTheirVerticesValuesAndSeamsTheStatedRule) {
         disagreeing += least[p] != greatest[p];
     }
     EXPECT_GE(disagreeing, 3) << "the seam must put the rule to the test";
-}
-
-TEST(VertexMaps, WithoutValuesEveryParticleGetsTheOther) {
-    const SewnTube tube;
-    const auto result = test::must(tube.remapped({.name = "Mesh::friction", .otherwise = 0.5f}));
-    ASSERT_EQ(result.size(), tube.model.particle_count);
-    for (const float value : result.span()) EXPECT_EQ(value, 0.5f);
-}
-
-TEST(VertexMaps, ErrorsNameMapVertexAndValue) {
-    const auto refusal = [](const auto& spoil) {
-        SewnTube tube;
-        spoil(tube.values);
-        const auto result = tube.remapped(tube.map(WhereWelded::mean));
-        EXPECT_FALSE(result);
-        return result ? std::string() : result.error().message;
-    };
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(refusal([](auto& v) { v.pop_back(); }).find("Mesh::stiffness has 39 values"),
-              std::string::npos);
-    EXPECT_NE(refusal([](auto& v) { v[5] = nan; }).find("Mesh::stiffness[5] is nan"), std::string::npos);
-    EXPECT_NE(refusal([](auto& v) { v[39] = 2.5f; }).find("[39] is 2.5; it must be from 0 to 2"),
-              std::string::npos);
-    EXPECT_NE(refusal([](auto& v) { v[0] = -1; }).find("[0] is -1"), std::string::npos);
 }
 
 }  // namespace

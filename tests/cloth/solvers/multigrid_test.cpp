@@ -46,17 +46,6 @@ TEST_P(OnMeshes, InterpolationKeepsTranslationsAndKeptNodes) {
     }
 }
 
-TEST_P(OnMeshes, EveryComponentHasACoarseNode) {
-    const Interpolation& p = levels.multigrid->level(0).interpolation();
-    const auto& offsets = cloth.model.component_offsets;
-    for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
-        const auto members =
-            std::span(cloth.model.component_particles).subspan(offsets[c], offsets[c + 1] - offsets[c]);
-        EXPECT_TRUE(std::ranges::any_of(
-            members, [&](std::uint32_t i) { return std::ranges::binary_search(p.kept, i); }));
-    }
-}
-
 Eigen::MatrixXd dense_interpolation(const Interpolation& p) {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * p.fine, 3 * p.coarse);
     for (std::uint32_t i = 0; i < p.fine; ++i) {
@@ -137,60 +126,6 @@ TEST_P(OnMeshes, CoarseSpringsAreGalerkinsProduct) {
     EXPECT_GT(eigenvalues(coarse)[0], 0);
 }
 
-// A strip whose particles are numbered along it: what a coarse spring sums lies rows apart.
-TEST(Multigrid, TermsAreStoredShortWhereTheyAreNear) {
-    std::vector<Link> links;
-    for (std::uint32_t i = 0; i + 1 < 90; ++i) links.push_back({i, i + 1});
-    SpringGraph graph = graph_between(links, 90);
-    graph.stiffness.assign(graph.neighbours.size(), 1.0f);
-    graph.lengths.assign(graph.neighbours.size(), 1.0f);
-    const Coarsening coarsening = coarsen(graph, components_of(graph), 9, 0);
-    const GalerkinLists as_made = make_galerkin_lists(links, coarsening.interpolation);
-    GalerkinLists lists = as_made;
-    lists.pack_fine_links();
-    EXPECT_TRUE(lists.fine_links.numbers.empty());
-    ASSERT_EQ(lists.fine_links.from_base.size(), as_made.fine_links.numbers.size());
-    std::size_t terms = 0;
-    for (std::uint32_t g = 0; g < lists.groups(); ++g)
-        for (std::uint32_t e = lists.group_slots[g] * 16; e < lists.group_slots[g + 1] * 16; ++e) {
-            EXPECT_LT(lists.fine_links.bases[g] + lists.fine_links.from_base[e], links.size());
-            if (lists.factors[e] == 0) continue;
-            EXPECT_EQ(lists.fine_links.bases[g] + lists.fine_links.from_base[e],
-                      as_made.fine_links.numbers[e]);
-            ++terms;
-        }
-    EXPECT_GT(terms, 40u);
-    std::vector<bool> all(links.size(), true);
-    GalerkinLists::Constants constants = make_galerkin_lists(links, coarsening.interpolation, all).constants;
-    const SharedBuffer<std::uint32_t> before = constants.fine_links.numbers;
-    constants.fine_links.pack(constants.offsets.span(), 1, constants.factors.span());
-    EXPECT_TRUE(constants.fine_links.numbers.empty());
-    for (std::uint32_t k = 0; k < as_made.links.size(); ++k)
-        for (std::uint32_t t = constants.offsets[k]; t < constants.offsets[k + 1]; ++t)
-            EXPECT_EQ(constants.fine_links.of(k, t), before[t]);
-    for (const std::uint32_t more : {65535u, 65536u}) {
-        GalerkinLists far = as_made;
-        far.fine_links.numbers.make_own();
-        std::uint32_t least = ~0u, last = 0;  // of the first group
-        for (std::uint32_t e = 0; e < far.group_slots[1] * 16; ++e) {
-            if (far.factors[e] == 0) continue;
-            if (far.fine_links.numbers[e] <= least) last = e;
-            least = std::min(least, far.fine_links.numbers[e]);
-        }
-        std::uint32_t other = 0;
-        while (other == last || far.factors[other] == 0) ++other;
-        far.fine_links.numbers[other] = far.fine_links.numbers[last] + more;
-        far.pack_fine_links();
-        EXPECT_EQ(far.fine_links.numbers.empty(), more == 65535) << more;
-        if (more == 65535) {
-            EXPECT_EQ(far.fine_links.from_base[other], 65535);
-        } else {
-            EXPECT_TRUE(far.fine_links.from_base.empty());
-            EXPECT_TRUE(far.fine_links.bases.empty());
-        }
-    }
-}
-
 // Springs and what holds nodes apart: rows of springs sum to 0, so that the sum of a row of W is what holds
 // its node, and this is lumped.
 TEST(Multigrid, CoarserLevelsAreSumsOfFinerOnes) {
@@ -258,31 +193,6 @@ TEST(Multigrid, NeedsFewIterationsAtAnySizeAndStiffness) {
     EXPECT_LE(iterations_needed(waving(loose_sheet(40, 40), corners)), 12);
 }
 
-// A cycle treats all levels alike from either side: also those between the first and the last, which only
-// large cloths have.
-TEST(Multigrid, CyclesOfManyLevelsAreSymmetric) {
-    const Cloth cloth = waving(sheet(130, 130), {{0, 129}});
-    Levels levels(cloth);
-    const std::uint32_t n = 130 * 130;
-    ASSERT_GE(levels.multigrid->levels(), 3u);
-    const auto smooth_rows = [&](float waves) {
-        AlignedBuffer<Vec4> rows(n);
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const float x = static_cast<float>(i % 130) / 129, y = static_cast<float>(i / 130) / 129;
-            if (i != 0 && i != 129) rows[i] = {std::cos(waves * x), std::cos(waves * (x - y)), x * y, 0};
-        }
-        return rows;
-    };
-    std::vector<double> partials(block_count(n));
-    const AlignedBuffer<Vec4> a = smooth_rows(3), b = smooth_rows(14);
-    AlignedBuffer<Vec4> z_a(n), z_b(n);
-    levels.multigrid->cycle(levels.serial, a.span(), z_a.span());
-    levels.multigrid->cycle(levels.serial, b.span(), z_b.span());
-    const double ab = dot(levels.serial, z_a.span(), b.span(), partials),
-                 ba = dot(levels.serial, a.span(), z_b.span(), partials);
-    EXPECT_NEAR(ab / ba, 1, 1e-4);
-}
-
 TEST(Multigrid, CostsWhatItsParticlesCostHoweverManyComponents) {
     const auto bytes_a_particle = [&](std::uint32_t side, std::uint32_t count) {
         const Cloth cloth = waving(many(loose_sheet(side, side), count), {});
@@ -311,16 +221,6 @@ TEST(Multigrid, ComponentsHaveTheLevelsThatTheyWouldHaveAlone) {
         EXPECT_EQ(p.nodes[e], q.nodes[e]);
         EXPECT_NEAR(p.weights[e], q.weights[e], 1e-6f);
     }
-}
-
-TEST(Multigrid, ConvergesOnManyComponentsAsOnTheLargestAlone) {
-    const Mesh large = loose_sheet(30, 30);
-    const int alone = iterations_needed(waving(large, {{0, 29}}));
-    EXPECT_LE(iterations_needed(waving(joined(large, many(loose_sheet(2, 2), 500), {0, 3, 0}), {{0, 29}})),
-              alone + 1);
-    EXPECT_LE(iterations_needed(waving(joined(large, many(loose_sheet(7, 5), 60), {0, 3, 0}), {{0, 29}})),
-              alone + 1);
-    EXPECT_LE(iterations_needed(waving(many(loose_sheet(2, 2), 2000), {})), 8);
 }
 
 }  // namespace

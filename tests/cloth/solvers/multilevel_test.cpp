@@ -78,13 +78,6 @@ TEST(MultilevelSolver, ManyPassesSolveTheNonlinearStep) {
     EXPECT_LT(many, 1e-3);
 }
 
-TEST(MultilevelSolver, GivesTheSameBytesForAnyNumberOfThreads) {
-    const std::uint32_t corners[] = {0, 47};
-    Cloth cloth = waving(sheet(48, 48), corners);
-    const Eigen::VectorXd one = stepped(cloth, {}, 1);
-    for (const int threads : {2, 3, 8}) EXPECT_EQ(one, stepped(cloth, {}, threads));
-}
-
 WorldSettings still_world() {
     WorldSettings settings;
     settings.wind.air_density = 0;

@@ -75,41 +75,6 @@ TEST(Residual, IsNothingWhereTheEquationIsSolved) {
     EXPECT_LT(residual_of_a_step(Fibres{3000}, false, false), 0.02f);
 }
 
-TEST(Residual, IsOneWhereFabricHasDoneNothing) {
-    Cloth cloth = crumpled(sheet(9, 8), 0.01f, 100);
-    for (const float gravity : {0.0f, -9.81f}) {
-        for (const bool elements : {false, true}) {
-            cloth.settings.finite_elements.enabled = elements;
-            const StepEquation equation = equation_of(cloth, h, {0, gravity, 0});
-            AlignedBuffer<Vec4> free(cloth.state.size());
-            Parallel serial(1);
-            predict_velocities(serial, equation, free.span());
-            const auto system = make_system(cloth.model, cloth.settings);
-            StepResidual residual(cloth.model, cloth.settings);
-            OwnScratch memory;
-            memory.lay_out(residual);
-            EXPECT_NEAR(residual(serial, equation, free.span(), system.get()), 1, 1e-3f);
-        }
-    }
-}
-
-TEST(Residual, FallsAsMethodsIterate) {
-    const auto falls = [](const char* name, const auto& method_of) {
-        float before = std::numeric_limits<float>::infinity();
-        for (const int k : {1, 3, 9}) {
-            const float now = residual_of_a_step(method_of(k));
-            EXPECT_LT(now, before) << name << ", " << k;
-            before = now;
-        }
-    };
-    falls("Jacobi", [](int k) { return Jacobi{k}; });
-    falls("fibres", [](int k) { return Fibres{k}; });
-    falls("passes", [](int k) { return Multilevel{.passes = k, .tolerance = 1e9f}; });
-    // One linearisation is where these end.
-    EXPECT_LT(residual_of_a_step(ConjugateGradient{32}), 0.5f * residual_of_a_step(ConjugateGradient{1}));
-    EXPECT_LT(residual_of_a_step(Chebyshev{32}), 0.5f * residual_of_a_step(Chebyshev{1}));
-}
-
 TEST(Residual, IsTheSameForMethodsThatFindTheSameStep) {
     const float converged = residual_of_a_step(ConjugateGradient{400});
     EXPECT_NEAR(residual_of_a_step(Chebyshev{2000}), converged, 0.02f * converged);

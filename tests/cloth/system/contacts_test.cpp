@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "cloth/equation/contacts.h"
@@ -279,29 +278,6 @@ TEST(Contacts, MeanMotionLeavesNothingOfTheRowsSum) {
     EXPECT_LT(mean_left(lying, false), 1e-4);
     EXPECT_LT(mean_left(lying, true), 1e-4);
     EXPECT_GT(lying.touching(), 8u);
-}
-
-TEST(Contacts, DoNotDependOnTheNumberOfThreads) {
-    const auto hash = [](int threads) {
-        WorldSettings world_settings = vacuum({0, -9.80665f, 0});
-        world_settings.threads = threads;
-        World world = World::create(world_settings).value();
-        ClothSettings settings;
-        settings.self_collision.method = SelfCollisionMethod::contact;
-        const Mesh mesh =
-            make_sheet(
-                {.rows = 33, .columns = 31, .origin = {-0.5f, 0.31f, -0.5f}, .u = {1, 0, 0}, .v = {0, 0, 1}})
-                .value();
-        EXPECT_TRUE(world.add_cloth(mesh, settings));
-        EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, 0, 0}, 0.3f}, .friction = 0.5f}));
-        EXPECT_TRUE(world.add_collider({.shape = Plane{}, .friction = 0.6f}));
-        std::uint32_t contacts = 0;
-        for (int step = 0; step < 20; ++step) contacts += world.step(h).collider_contacts;
-        EXPECT_GT(contacts, 100u);
-        return world.state_hash();
-    };
-    const std::uint64_t expected = hash(1);
-    for (const int threads : {2, 3, 8}) EXPECT_EQ(hash(threads), expected) << threads << " threads";
 }
 
 /// One particle, at `position` at the substep's start, that meets one collider.

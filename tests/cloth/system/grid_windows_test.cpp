@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <vector>
 
 #include "spring_scene.h"
@@ -75,34 +74,6 @@ TEST(GridWindows, GiveTheSameBytesInAnyTiles) {
                 EXPECT_EQ(results.products.x_wx, expected.products.x_wx) << threads;
             }
         }
-    }
-}
-
-TEST(GridWindows, AreForGridsAlone) {
-    const ClothModel grid = must(cook(sheet(30, 45))), mesh = must(cook(loose_sheet(30, 45)));
-    const Diagonals some(grid.spring_offsets.span(), grid.neighbours.span());
-    const Diagonals none(mesh.spring_offsets.span(), mesh.neighbours.span());
-    EXPECT_GT(GridWindows(some, 7).count(), 0u);
-    EXPECT_EQ(GridWindows(none, 7).floats(), 0u);
-}
-
-TEST(GridWindows, AreEnoughForThreadsOrNone) {
-    for (const auto& [rows, columns] : {Size{32, 400}, Size{400, 32}, Size{65, 65}}) {
-        const ClothModel grid = must(cook(sheet(rows, columns)));
-        const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
-        EXPECT_GE(GridWindows(diagonals, 7).count(), 4u) << rows << " x " << columns;
-    }
-    const ClothModel wide = must(cook(sheet(8, 1600)));
-    EXPECT_TRUE(Diagonals(wide.spring_offsets.span(), wide.neighbours.span()).empty());
-}
-
-// However many threads there are: a window a tile, and tiles of four reaches.
-TEST(GridWindows, TakeNoMoreThanFiftyBytesARowOfALargeGrid) {
-    for (const std::uint32_t side : {64u, 128u, 256u}) {
-        const ClothModel grid = must(cook(sheet(side, side)));
-        const Diagonals diagonals(grid.spring_offsets.span(), grid.neighbours.span());
-        EXPECT_EQ(diagonals.count, 6u);
-        EXPECT_LT(sizeof(float) * GridWindows(diagonals, 7).floats(), std::size_t{50} * grid.particle_count);
     }
 }
 

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <random>
 #include <vector>
 
 #include "tests/cloth/as_for_threads.h"
@@ -16,7 +14,7 @@
 #include "tests/cloth/system/dense_algebra.h"
 #include "tests/cloth/system/pair_scene.h"
 
-namespace weft::test {
+namespace weft::test::pair_rows {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
@@ -181,23 +179,6 @@ TEST(PairRows, LeavePinnedParticlesAlone) {
         0, 61, [&](const PairRows::AtParticle& at) { EXPECT_GT(scene.positions[at.particle].w, 0); });
 }
 
-TEST(PairRows, AreTheSameOnAnyNumberOfThreads) {
-    const PairScene scene(900, 5003);
-    std::vector<std::vector<Vec4>> results;
-    std::vector<double> sums;
-    for (const int threads : {1, 2, 4}) {
-        Linearised linearised(scene, threads);
-        std::vector<Vec4> all = linearised.impulses(scene.positions.size()), product(all.size());
-        sums.push_back(linearised.multiply(scene.velocities, product));
-        all.insert(all.end(), product.begin(), product.end());
-        results.push_back(all);
-    }
-    for (std::size_t k = 1; k < results.size(); ++k) {
-        EXPECT_EQ(sums[k], sums[0]);
-        EXPECT_EQ(std::memcmp(results[k].data(), results[0].data(), results[0].size() * sizeof(Vec4)), 0);
-    }
-}
-
 TEST(PairRows, AreEmptyWithoutPairsThatHaveARadius) {
     PairScene scene(20, 50);
     std::ranges::fill(scene.laws, PairLaw{.radius = 0, .friction = 1});
@@ -208,4 +189,4 @@ TEST(PairRows, AreEmptyWithoutPairsThatHaveARadius) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::pair_rows

@@ -4,10 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <map>
 #include <random>
-#include <set>
 #include <vector>
 
 #include "spring_scene.h"
@@ -16,8 +13,6 @@
 
 namespace weft::test {
 namespace {
-
-constexpr std::uint32_t none = RingPlace::none;
 
 /// Strips of triangles that share the particles along one line.
 Mesh book(std::uint32_t pages) {
@@ -97,72 +92,6 @@ std::vector<NamedMesh> all_meshes() {
     for (NamedMesh& mesh : meshes) mesh.mesh.rows = mesh.mesh.columns = 0;
     for (NamedMesh& mesh : odd_meshes()) meshes.push_back(std::move(mesh));
     return meshes;
-}
-
-/// visit(triangle, the place before it, the place behind it) for the triangles of a particle's ring.
-template <class Visit>
-void for_each_triangle(const RingOrder& order, std::uint32_t i, const Visit& visit) {
-    const std::uint32_t begin = order.offsets[i], end = order.end(i);
-    for (std::uint32_t p = begin; p < end; ++p) {
-        if (order.places[p].triangle == none) continue;
-        ASSERT_LT(p + 1, end);
-        visit(order.places[p].triangle, order.places[p], order.places[p + 1]);
-    }
-    if (order.openings[i] != none) visit(order.openings[i], order.places[end - 1], order.places[begin]);
-}
-
-TEST(RingOrder, HasEachTriangleOnceAtEachCornerBetweenTheOtherTwo) {
-    for (const NamedMesh& named : all_meshes()) {
-        SCOPED_TRACE(named.name);
-        const ClothModel model = cook(named.mesh).value();
-        const RingOrder order(model);
-        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-            std::vector<std::uint32_t> found;
-            for_each_triangle(order, i, [&](std::uint32_t t, const RingPlace& a, const RingPlace& b) {
-                found.push_back(t);
-                const std::set<std::uint32_t> corners{i, model.neighbours[a.half_edge],
-                                                      model.neighbours[b.half_edge]};
-                const Triangle& triangle = model.triangles[t];
-                EXPECT_EQ(corners, std::set<std::uint32_t>(triangle.begin(), triangle.end()));
-            });
-            std::ranges::sort(found);
-            const std::vector<std::uint32_t> expected(
-                model.corner_triangles.begin() + model.corner_offsets[i],
-                model.corner_triangles.begin() + model.corner_offsets[i + 1]);
-            EXPECT_EQ(found, expected) << i;
-        }
-    }
-}
-
-TEST(RingOrder, CopiesOfAnEdgeHaveTheSameTrianglesAtBothEndsAndNoMoreThanTwo) {
-    using Copy = std::pair<std::uint32_t, std::uint32_t>;
-    for (const NamedMesh& named : all_meshes()) {
-        SCOPED_TRACE(named.name);
-        const ClothModel model = cook(named.mesh).value();
-        const RingOrder order(model);
-        std::map<Copy, std::set<std::uint32_t>> triangles;
-        for (std::uint32_t i = 0; i < model.particle_count; ++i)
-            for_each_triangle(order, i, [&](std::uint32_t t, const RingPlace& a, const RingPlace& b) {
-                for (const RingPlace* side : {&a, &b}) triangles[{side->half_edge, side->copy}].insert(t);
-            });
-        for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-            for (std::uint32_t p = order.offsets[i]; p < order.end(i); ++p) {
-                const auto [half_edge, copy, triangle] = order.places[p];
-                const std::uint32_t back = half_edge_between(model, model.neighbours[half_edge], i);
-                EXPECT_EQ((triangles[{half_edge, copy}]), (triangles[{back, copy}]));
-                EXPECT_LE((triangles[{half_edge, copy}].size()), 2u);
-            }
-        }
-    }
-}
-
-TEST(RingOrder, OfAClosedSurfaceIsOneRingAParticle) {
-    const ClothModel model = cook(sphere(2)).value();
-    const RingOrder order(model);
-    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
-        EXPECT_NE(order.openings[i], none);
-        EXPECT_EQ(order.end(i) - order.offsets[i], model.corner_offsets[i + 1] - model.corner_offsets[i]);
-    }
 }
 
 /// Free particles, so that what W and the coupling leave out shows in sums.

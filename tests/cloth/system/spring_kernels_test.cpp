@@ -1,12 +1,11 @@
-// The loops over springs, on every kind of vector that this machine has, against one particle at a time in
-// double precision.
+// The loops over springs against one particle at a time in double precision. tests/targets compares vector
+// widths.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstring>
 #include <functional>
-#include <random>
 
 #include "cloth/fabric/spring_system.h"
 #include "cloth/fabric/springs.h"
@@ -256,90 +255,12 @@ TEST_P(SpringKernels, BothEndsOfASpringComputeTheSameFloats) {
     }
 }
 
-TEST_P(SpringKernels, MatrixIsSymmetric) {
-    for (const SpringCase& c : spring_cases()) {
-        SCOPED_TRACE(c.name);
-        const SpringScene scene = c.scene();
-        SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
-        linearise(system, scene, serial);
-        AlignedBuffer<Vec4> x = random_rows(scene.size(), 1, 5), y = random_rows(scene.size(), 1, 6);
-        for (std::uint32_t i = 0; i < scene.size(); ++i) {
-            if (scene.positions[i].w == 0) x[i] = y[i] = {};
-        }
-        AlignedBuffer<Vec4> wx(scene.size()), wy(scene.size());
-        const double xx = system.multiply(serial, x.span(), wx.span());
-        const double yy = system.multiply(serial, y.span(), wy.span());
-        const double xy = flat(x.span()).dot(flat(wy.span())), yx = flat(y.span()).dot(flat(wx.span()));
-        EXPECT_NEAR(xy, yx, 1e-6 * std::sqrt(xx * yy));
-    }
-}
-
-/// All that a system computes.
-struct Results {
-    double energy;
-    std::vector<Vec4> rows;
-    bool operator==(const Results& other) const {  // to the last bit
-        return std::memcmp(&energy, &other.energy, sizeof energy) == 0 && rows.size() == other.rows.size() &&
-               std::memcmp(rows.data(), other.rows.data(), rows.size() * sizeof(Vec4)) == 0;
-    }
-};
-
-Results everything(const SpringScene& scene, Parallel& parallel) {
-    SpringSystem system(scene.model, scene.settings.fabric.stiffening > 0);
-    linearise(system, scene, parallel);
-    AlignedBuffer<Vec4> product(scene.size()), residual(scene.size()), relaxed(scene.size()),
-        solved(scene.size());
-    const auto b = system.right_side().span();
-    const double energy = system.multiply(parallel, scene.velocities.span(), product.span());
-    system.residual(parallel, scene.equation(), scene.velocities.span(), residual.span());
-    system.relax(parallel, b, scene.velocities.span(), {.step = 0.75f, .momentum = 0.5f}, relaxed.span());
-    system.precondition(parallel, b, 1, solved.span());
-    Results result{energy, {}};
-    for (const std::span<const Vec4> part :
-         {std::span<const Vec4>(b), std::span<const Vec4>(product.span()),
-          std::span<const Vec4>(residual.span()), std::span<const Vec4>(relaxed.span()),
-          std::span<const Vec4>(solved.span())}) {
-        result.rows.insert(result.rows.end(), part.begin(), part.end());
-        // What lies behind the last particle stays 0: see AlignedBuffer.
-        for (const Vec4* pad = part.data() + part.size(); pad < part.data() + (part.size() + 15) / 16 * 16;
-             ++pad)
-            EXPECT_TRUE(pad->x == 0 && pad->y == 0 && pad->z == 0 && pad->w == 0);
-    }
-    return result;
-}
-
-TEST_P(SpringKernels, SameBytesForAnyNumberOfThreads) {
-    SpringScene scene = make_scene(loose_sheet(30, 45), 400, LinearisedAbout::iterate);
-    make_coincident(scene);
-    const Results expected = everything(scene, serial);
-    for (const int threads : {2, 3, 8}) {
-        Parallel parallel(threads);
-        EXPECT_TRUE(everything(scene, parallel) == expected) << threads << " threads";
-    }
-}
-
 std::vector<std::int64_t> targets() {
     return hwy::SupportedAndGeneratedTargets();
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SpringKernels, testing::ValuesIn(targets()),
                          [](const auto& info) { return std::string(hwy::TargetName(info.param)); });
-
-// Eight lanes or sixteen: both round a product and its sum once.
-TEST(SpringKernelWidths, SameBytesOnWideAndNarrowVectors) {
-    const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
-    if ((usable & HWY_AVX2) == 0 || (usable & HWY_AVX3) == 0) GTEST_SKIP() << "needs AVX2 and AVX-512";
-    Parallel serial(1);
-    for (const SpringCase& c : spring_cases()) {
-        SCOPED_TRACE(c.name);
-        const SpringScene scene = c.scene();
-        hwy::SetSupportedTargetsForTest(HWY_AVX2);
-        const Results narrow = everything(scene, serial);
-        hwy::SetSupportedTargetsForTest(HWY_AVX3);
-        EXPECT_TRUE(everything(scene, serial) == narrow);
-        hwy::SetSupportedTargetsForTest(0);
-    }
-}
 
 }  // namespace
 }  // namespace weft::test

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include "dense_algebra.h"
@@ -111,25 +110,6 @@ TEST_P(TriangleSystems, InternalForcesKeepMomentumAndAngularMomentum) {
     EXPECT_LT(moment.norm(), 1e-6 * scale);
 }
 
-TEST_P(TriangleSystems, ThreadsDoNotShow) {
-    const Cloth cloth = elements(sheet(40, 40), GetParam());
-    const auto bytes_of = [&](int threads) {
-        Parallel parallel(threads);
-        const auto system = make_system(cloth.model, cloth.settings);
-        system->linearise(parallel, equation_of(cloth, 0.02f), cloth.state.velocities.span(),
-                          LinearisedAbout::base);
-        AlignedBuffer<Vec4> product(cloth.state.size());
-        const double energy = system->multiply(parallel, system->right_side().span(), product.span());
-        std::vector<char> bytes(product.size() * sizeof(Vec4) + sizeof energy);
-        std::memcpy(bytes.data(), product.data(), product.size() * sizeof(Vec4));
-        std::memcpy(bytes.data() + product.size() * sizeof(Vec4), &energy, sizeof energy);
-        return bytes;
-    };
-    const auto serial = bytes_of(1);
-    EXPECT_EQ(bytes_of(2), serial);
-    EXPECT_EQ(bytes_of(8), serial);
-}
-
 std::vector<Model> models() {
     std::vector<Model> all;
     for (const bool dihedral : {false, true})
@@ -138,18 +118,6 @@ std::vector<Model> models() {
     return all;
 }
 INSTANTIATE_TEST_SUITE_P(Models, TriangleSystems, testing::ValuesIn(models()));
-
-TEST(TriangleSystem, MassesSumToTheClothsAndStretchingDoesNotChangeThem) {
-    for (const bool consistent : {false, true}) {
-        Cloth cloth = elements(strip(6, 4, 0.1f, true), {false, consistent, 0.0f});
-        const auto system = assembled(cloth, 1e-5f);  // so short that all of W is mass
-        const Eigen::MatrixXd w = dense(*system).matrix;
-        const auto mass = static_cast<double>(cloth.info().mass);
-        EXPECT_NEAR(w.sum() / 3, mass, 1e-4 * mass);
-        // Off the diagonal a consistent matrix has as much as on it.
-        EXPECT_NEAR(w.trace() / 3, consistent ? 0.5 * mass : mass, 1e-3 * mass);
-    }
-}
 
 TEST(TriangleSystem, SpringBlocksArePositiveAndNearTheirBlocks) {
     Cloth cloth = elements(sheet(8, 8), {false, false, 0.0f});

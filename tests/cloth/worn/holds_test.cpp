@@ -8,7 +8,7 @@
 #include "tests/cloth/fixtures.h"
 #include "weft/weft.h"
 
-namespace weft::test {
+namespace weft::test::holds {
 namespace {
 
 constexpr std::uint32_t side_of_square = 9;
@@ -198,4 +198,4 @@ TEST(Holds, PinsFasterThanAllowedAreTold) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::holds

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "tests/collision/colliders/collider_reference.h"
 #include "tests/collision/particle_cloud.h"
@@ -284,22 +283,6 @@ TEST(Colliders, ParticlesThatAreNotFiniteDoNotHideOthersOfTheirBlock) {
         EXPECT_EQ(meet(particles, all, 0), 2u);
         EXPECT_NEAR(particles.positions[3].y, 1, 1e-6f);
         EXPECT_NEAR(particles.positions[49].y, 0, 1e-6f);
-    }
-}
-
-TEST(Colliders, BytesAreTheSameForAnyNumberOfThreads) {
-    const std::vector<ColliderMotion> all{
-        {{Sphere{{0, 0, 0}, 0.5f}, 0.4f}, {Sphere{{0.01f, 0, 0}, 0.5f}, 0.4f}},
-        {{Capsule{{0, 0, 0}, {1, 0, 0}, 0.3f}, 0.2f}, {Capsule{{0, 0, 0}, {1, 0.02f, 0}, 0.3f}, 0.2f}},
-        at_rest({Plane{{0, 1, 0}, -0.3f}, 0.9f})};
-    Particles one = cloud(5000);
-    const std::uint32_t met = meet(one, all, 0.02f, 0.7f, 1);
-    for (const int threads : {2, 3, 8}) {
-        Particles several = cloud(5000);
-        EXPECT_EQ(meet(several, all, 0.02f, 0.7f, threads), met);
-        const std::size_t bytes = one.positions.size() * sizeof(Vec4);
-        EXPECT_EQ(std::memcmp(several.positions.data(), one.positions.data(), bytes), 0);
-        EXPECT_EQ(std::memcmp(several.velocities.data(), one.velocities.data(), bytes), 0);
     }
 }
 

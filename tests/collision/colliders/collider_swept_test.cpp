@@ -220,17 +220,6 @@ TEST(SweptContacts, ASubstepIsCutInPartsByHowFarWhatIsNearGoesAgainstAThinBar) {
     EXPECT_EQ(parts(0.04f, {0, 0, 0.014f, 1}, 0.04f / h), 1u);  // goes along
 }
 
-TEST(SweptContacts, BytesAreTheSameForAnyNumberOfThreads) {
-    Flight one = random_flight(3, 3000);
-    Flight several = one;
-    const std::uint32_t met = meet_on_the_way(one.particles, one.starts, one.motion());
-    EXPECT_GT(met, 20u);
-    EXPECT_EQ(meet_on_the_way(several.particles, several.starts, several.motion(), 3), met);
-    EXPECT_EQ(std::memcmp(several.particles.positions.data(), one.particles.positions.data(),
-                          one.starts.size() * sizeof(Vec4)),
-              0);
-}
-
 TEST(SweptContacts, WhatIsNotANumberHidesNothing) {
     const Bar bar{1, 0.005f};
     const Placed end{Eigen::Quaternionf::Identity(), {0, 0, 0.5f}};

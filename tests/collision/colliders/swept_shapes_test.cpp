@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <random>
 
 #include <Eigen/Geometry>
@@ -142,18 +141,6 @@ TEST(SweptShapes, ABoxThatGrowsMeetsWhatItPasses) {
 TEST(SweptShapes, OneThatJumpsSweepsNothing) {
     const Slab slab{{0.1f, 0.1f, 0.005f}};
     expect_jumps_sweep_nothing({slab.at({}), slab.at({Eigen::Quaternionf::Identity(), {0, 0, 0.5f}})});
-}
-
-TEST(SweptShapes, BytesAreTheSameForAnyNumberOfThreads) {
-    const Slab slab{{0.3f, 0.02f, 0.3f}};
-    const Placed end{Eigen::Quaternionf(Eigen::AngleAxisf(0.3f, Vector3::UnitX())), {0.1f, 0.3f, 0}};
-    Particles one = cloud(3000);
-    const std::vector<Vec4> starts = one.positions;
-    Particles several = one;
-    const std::uint32_t met = meet_on_the_way(one, starts, {slab.at({}), slab.at(end)});
-    EXPECT_GT(met, 20u);
-    EXPECT_EQ(meet_on_the_way(several, starts, {slab.at({}), slab.at(end)}, 3), met);
-    EXPECT_EQ(std::memcmp(several.positions.data(), one.positions.data(), starts.size() * sizeof(Vec4)), 0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "tests/collision/contact/settle_reference.h"
 #include "tests/laid_out.h"
 
-namespace weft::test {
+namespace weft::test::common_motion {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -169,4 +169,4 @@ TEST(CommonMotion, GivenBackMakesTheImageOfWhereTheParticleWent) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::common_motion

@@ -44,27 +44,6 @@ TEST(PairFinder, MovingSheetsAsReference) {
     expect_same_pairs(falling);
 }
 
-TEST(PairFinder, SmoothSheetsAsReference) {
-    constexpr std::uint32_t side = 15;
-    for (std::uint32_t seed = 1; seed <= 6; ++seed)
-        for (const float strength : {0.2f, 0.5f, 0.8f, 1.2f}) {
-            ContactScene scene =
-                sheet(side, 0.3f * edge * float(seed % 3 + 1), smoothly(flat(side, side), strength, seed));
-            expect_same_pairs(scene);
-            for (Vec4& m : scene.motions) m = {0, 0.2f * edge, 0.1f * edge, 0};
-            scene.add_motions(random_vectors(scene.motions.size(), 0.05f * edge * float(seed), seed));
-            expect_same_pairs(scene);
-        }
-}
-
-TEST(PairFinder, CrushedSheetsAsReference) {
-    for (const float width : {0.9f, 0.6f, 0.45f, 0.4f, 0.3f, 0.1f, 0.0f}) {
-        std::vector<Vec4> now = flat(14, 14);
-        for (Vec4& p : now) p = {width * p.x + 0.5f * p.z, 0.1f * p.x, p.z, 0};
-        expect_same_pairs(sheet(14, 0.3f * edge, now));
-    }
-}
-
 /// Rest shapes that are not one piece with a convex border, or lie over themselves, laid so that what touches
 /// is not near in the mesh.
 TEST(PairFinder, SheetsWithHolesSlitsAndFoldsAtRestAsReference) {

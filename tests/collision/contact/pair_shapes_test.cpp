@@ -11,7 +11,7 @@
 #include "collision/contact/pairs/pair_kernels.h"
 #include "tests/collision/contact/contact_reference.h"
 
-namespace weft::test {
+namespace weft::test::pair_shapes {
 namespace {
 
 using Points = std::array<Vector3d, 4>;
@@ -96,4 +96,4 @@ TEST(PairShapes, AreOfTheStartUnlessAnotherNormalServesLonger) {
 }
 
 }  // namespace
-}  // namespace weft::test
+}  // namespace weft::test::pair_shapes

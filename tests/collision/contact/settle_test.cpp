@@ -448,17 +448,6 @@ TEST(Settle, AnIncompleteListLeavesTheCommonMotionAlone) {
     for (const Vec4& d : held.displacements) EXPECT_TRUE(xyz(d).isZero(0));
 }
 
-TEST(Settle, NothingListedAndNothingThere) {
-    const Triangles mesh = triangle_soup(3, 0.5f, 9);
-    const Rows wanted = random_vectors(mesh.size(), 0.3f, 8);
-    const Settled settled = settle(mesh, PairList(), wanted);
-    EXPECT_EQ(settled.result.truncated, 0u);
-    EXPECT_EQ(std::memcmp(settled.displacements.data(), wanted.data(), wanted.size() * sizeof(Vec4)), 0);
-    const Settled nothing = settle({}, PairList(), {});
-    EXPECT_EQ(nothing.result.common, CommonMotionKind::none);
-    EXPECT_EQ(nothing.result.motion_lost, 0);
-}
-
 TEST(Settle, WhatIsNotANumberStopsThereAndCrossesNothingElse) {
     const Triangles mesh = triangle_soup(40, 0.5f, 11);
     const LaidOut<PairList> pairs = all_pairs(mesh);

@@ -66,26 +66,6 @@ TEST(Binding, HoldsToTheNearestLimb) {
     EXPECT_LT((to_vector(placed[0]) - pose.at(shin, local)).norm(), 0.01f);
 }
 
-TEST(Binding, ByWeightsIsBetweenTheJointsFrames) {
-    const Bound bound;
-    const std::vector<Vec3> points{{0.1f, 1.2f, 0.05f}};
-    const std::vector<std::uint32_t> joints{2, 1, 0, 0};
-    const std::vector<float> weights{3, 1, 0, 0};
-    const auto binding = Binding::by_weights(bound.pose, points, joints, weights);
-    ASSERT_TRUE(binding.ok()) << binding.error().message;
-    JointAngles moved = bound.stance;
-    moved.rotations[2] = Quaternion(Eigen::AngleAxisf(0.5f, Vector3::UnitZ()));
-    Pose pose;
-    place_joints(bound.skeleton, moved, pose);
-    std::vector<Vec3> placed(1);
-    binding->place(pose, placed);
-    const auto by = [&](std::size_t j) {
-        return pose.at(
-            j, bound.pose.rotations[j].conjugate() * (to_vector(points[0]) - bound.pose.positions[j]));
-    };
-    EXPECT_LT((to_vector(placed[0]) - (0.75f * by(2) + 0.25f * by(1))).norm(), 1e-5f);
-}
-
 TEST(Binding, RefusesWeightsThatAreNoneWithTheirPoint) {
     const Bound bound;
     const std::vector<Vec3> points(2);

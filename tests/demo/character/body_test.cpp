@@ -3,7 +3,6 @@
 #include "demo/character/body/body.h"
 
 #include <cmath>
-#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,36 +11,6 @@
 
 namespace weft::demo {
 namespace {
-
-/// The least distance from any of many balls along the axis.
-float distance_by_balls(const TaperedCapsule& capsule, const Vector3& point) {
-    float least = 1e9f;
-    constexpr int balls = 4000;
-    for (int i = 0; i <= balls; ++i) {
-        const float t = static_cast<float>(i) / balls;
-        const Vector3 centre = to_vector(capsule.a) + t * (to_vector(capsule.b) - to_vector(capsule.a));
-        const float radius = capsule.radius_a + t * (capsule.radius_b - capsule.radius_a);
-        least = std::min(least, (point - centre).norm() - radius);
-    }
-    return least;
-}
-
-TEST(TaperedCapsuleDistance, IsThatOfItsBalls) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> coordinate(-1, 1), radius(0.05f, 0.6f);
-    const auto any_point = [&] { return Vec3{coordinate(random), coordinate(random), coordinate(random)}; };
-    for (int i = 0; i < 300; ++i) {
-        const TaperedCapsule capsule{
-            .a = any_point(), .b = any_point(), .radius_a = radius(random), .radius_b = radius(random)};
-        const Vector3 point = to_vector(any_point());
-        const SurfaceDistance found = distance_to(capsule, point);
-        EXPECT_NEAR(found.distance, distance_by_balls(capsule, point), 2e-4f) << i;
-        EXPECT_NEAR(found.normal.norm(), 1, 1e-5f);
-        // Along the normal the distance grows as fast as the way.
-        EXPECT_NEAR(distance_to(capsule, point + 0.01f * found.normal).distance, found.distance + 0.01f,
-                    1e-4f);
-    }
-}
 
 TEST(BodyJoints, AreFoundByTheNamesOfThreeSources) {
     const auto renamed = [](const std::vector<std::pair<std::string, std::string>>& names) {
@@ -128,26 +97,6 @@ TEST(Body, IsOnePieceAndTheSameOnBothSides) {
     }
     for (std::size_t i = 0; i < capsules.size(); ++i)
         EXPECT_FLOAT_EQ(smaller[i].radius_a, 0.5f * capsules[i].radius_a);
-}
-
-TEST(Body, StandsInItsStance) {
-    const Skeleton skeleton = plain_skeleton();
-    const auto body = Body::create(skeleton);
-    ASSERT_TRUE(body.ok());
-    Pose pose;
-    place_joints(skeleton, body->stance(skeleton, 30), pose);
-    const auto at = [&](Part part) { return pose.positions[body->joints()[part]]; };
-    const Vector3 arm = (at(Part::left_hand) - at(Part::left_arm)).normalized();
-    EXPECT_NEAR(arm.y(), -0.5f, 1e-3f);
-    EXPECT_GT(arm.x(), 0.8f);
-    EXPECT_LT((at(Part::right_hand) - at(Part::right_arm)).x(), 0);
-    EXPECT_LT((at(Part::left_foot) - at(Part::left_thigh)).normalized().y(), -0.999f);
-    std::vector<TaperedCapsule> capsules;
-    body->place(pose, 1, capsules);
-    float lowest = 1;
-    for (const TaperedCapsule& c : capsules)
-        lowest = std::min({lowest, c.a.y - c.radius_a, c.b.y - c.radius_b});
-    EXPECT_NEAR(lowest, 0, 0.02f) << "on the ground";
 }
 
 }  // namespace

@@ -48,24 +48,6 @@ TEST(Skin, IsClosedAndWhereLimbsAre) {
     }
 }
 
-TEST(Skin, GrowsFromTheAxes) {
-    const Skeleton skeleton = plain_skeleton();
-    const Body body = Body::create(skeleton).value();
-    const Skin skin = Skin::round_limbs(body, skeleton);
-    Pose pose;
-    place_joints(skeleton, body.stance(skeleton, 30, 0.25f), pose);
-    std::vector<TaperedCapsule> limbs;
-    body.place(pose, 0.5f, limbs);
-    std::vector<Vec3> places(skin.size());
-    skin.place(pose, limbs, 0.5f, places);
-    float deepest = 0;
-    for (const Vec3& p : places) {
-        EXPECT_LT(distance_from(limbs, p), 0.012f) << "out of what has grown so far";
-        deepest = std::min(deepest, distance_from(limbs, p));
-    }
-    EXPECT_GT(deepest, -0.04f);
-}
-
 TEST(Skin, CarriesADress) {
     CharacterSettings settings;
     settings.particles = 600;

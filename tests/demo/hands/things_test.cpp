@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "demo/hands/air/hand_air.h"
 #include "demo/hands/air/streaks.h"
 #include "demo/hands/balls.h"
@@ -53,20 +51,6 @@ TEST(Balls, TheOldestIsThrownAgain) {
     EXPECT_EQ(balls.in_play(world).size(), Balls::count);
     EXPECT_NEAR(place_of(world, balls, 0).y, 1 + 0.1f * Balls::count, 1e-5f);
     EXPECT_NEAR(place_of(world, balls, 1).y, 1.1f, 1e-5f);
-}
-
-TEST(Balls, ThatNobodyThrewStayOutOfSight) {
-    World world = World::create(SmallWorld::one_thread()).value();
-    Balls balls;
-    ASSERT_TRUE(balls.set_there(world, true));
-    for (int k = 0; k < 2000; ++k) {
-        balls.before_step(world, tick);
-        world.step(tick);
-    }
-    EXPECT_TRUE(balls.in_play(world).empty());
-    EXPECT_GT(place_of(world, balls, 2).y, -700);
-    ASSERT_TRUE(balls.set_there(world, false));
-    EXPECT_EQ(balls.bodies().size(), 0u);
 }
 
 TEST(Balls, PushCloth) {
@@ -142,24 +126,6 @@ TEST(HandAir, FanBlastAndWakesAreInTheWindAndGoAgain) {
     EXPECT_EQ(kinds(AirSourceKind::none), static_cast<std::ptrdiff_t>(sources.size()));
 }
 
-TEST(HandAir, ATaperedLimbLeavesAWake) {
-    World world = World::create(SmallWorld::one_thread()).value();
-    const auto limb = [](float x) {
-        return Collider{.shape = TaperedCapsule{{x, 1, 0}, {x, 2, 0}, 0.3f, 0.1f}};
-    };
-    const ColliderId moving[] = {*world.add_collider(limb(0))};
-    HandAir air;
-    air.before_step(world, moving, {}, tick);
-    ASSERT_TRUE(world.move_collider(moving[0], limb(2 * tick)));
-    world.step(tick);
-    air.before_step(world, moving, {}, tick);
-    const AirSource& wake = world.settings().wind.sources[0];
-    EXPECT_EQ(wake.kind, AirSourceKind::wake);
-    EXPECT_NEAR(wake.velocity.x, 2, 1e-3f);
-    EXPECT_NEAR(wake.position.y, 1.5f, 1e-5f);
-    EXPECT_NEAR(wake.radius, 0.2f, 1e-5f);
-}
-
 TEST(HandAir, WhatIsForgottenBlowsNoMore) {
     World world = World::create(SmallWorld::one_thread()).value();
     HandAir air;
@@ -169,75 +135,6 @@ TEST(HandAir, WhatIsForgottenBlowsNoMore) {
     air.forget();
     air.before_step(world, {}, {}, tick);
     EXPECT_EQ(world.settings().wind.sources[0].kind, AirSourceKind::none);
-}
-
-TEST(Streaks, DriftWithTheAirWithinTheirBox) {
-    WorldSettings settings = SmallWorld::one_thread();
-    settings.wind.velocity = {3, 0, -1};
-    World world = World::create(settings).value();
-    Streaks streaks;
-    EXPECT_FALSE(streaks.visible) << "nobody has asked for them";
-    streaks.visible = true;
-    streaks.begin({0, 1, 0}, 1.5f);
-    ASSERT_EQ(streaks.motes().size(), Streaks::count);
-    int drifted = 0;
-    for (int k = 0; k < 60; ++k) {
-        streaks.step(world, tick, {0, 1, 4});
-        for (const Streaks::Mote& mote : streaks.motes()) {
-            EXPECT_LE(std::abs(mote.trail[0].x), 1.5f);
-            if (mote.kept < 2) continue;
-            ++drifted;
-            EXPECT_NEAR(mote.trail[0].x - mote.trail[1].x, 3 * tick, 1e-5f);
-            EXPECT_NEAR(mote.trail[0].z - mote.trail[1].z, -tick, 1e-5f);
-        }
-    }
-    EXPECT_GT(drifted, 1000);
-    const std::vector<render::DrawnLine> lines = streaks.lines();
-    EXPECT_GT(lines.size(), 200u);
-    for (const render::DrawnLine& each : lines) {
-        EXPECT_GE(each.opacity, 0);
-        EXPECT_LT(each.opacity, 1);
-    }
-    EXPECT_GT(lines[0].opacity, lines[2].opacity) << "what is older is fainter";
-    streaks.visible = false;
-    EXPECT_TRUE(streaks.lines().empty());
-}
-
-TEST(Project, IsWhereTheRayThroughItLeads) {
-    const render::OrbitCamera camera{
-        .target = {0.3f, 1, -0.2f}, .distance = 2.5f, .yaw = 0.8f, .pitch = 0.3f};
-    for (const Vec2 place : {Vec2{0.2f, 0.3f}, Vec2{0.9f, 0.7f}, Vec2{0.5f, 0.5f}}) {
-        const render::Ray ray = camera.ray(place.x, place.y, 1.6f);
-        const auto back =
-            project(camera, to_vec3(to_vector(ray.origin) + 1.7f * to_vector(ray.direction)), 1.6f);
-        ASSERT_TRUE(back);
-        EXPECT_NEAR(back->x, 1.6f * place.x, 1e-4f);
-        EXPECT_NEAR(back->y, place.y, 1e-4f);
-    }
-    EXPECT_FALSE(project(camera, to_vec3(2 * to_vector(camera.eye()) - to_vector(camera.target)), 1.6f));
-}
-
-TEST(Streaks, DoNotLieOverTheCloth) {
-    SmallWorld small;  // a sheet at z = 0
-    WorldSettings settings = small.world.settings();
-    settings.gravity = {};
-    settings.wind.velocity = {0.2f, 0, 0};
-    ASSERT_TRUE(small.world.set_settings(settings).ok());
-    Streaks streaks;
-    streaks.visible = true;
-    streaks.begin({0.5f, 0.5f, 0}, 0.5f);
-    const Vec3 eye{0.5f, 0.5f, 6};
-    for (int k = 0; k < 20; ++k) streaks.step(small.world, tick, eye);
-    int before = 0, behind = 0, over_cloth = 0;
-    for (const Streaks::Mote& mote : streaks.motes()) {
-        const Vec3& at = mote.trail[0];
-        if (std::abs(at.x - 0.5f) > 0.4f || std::abs(at.y - 0.5f) > 0.4f || std::abs(at.z) < 0.05f) continue;
-        ++(at.z > 0 ? before : behind);
-        if (at.z > 0 && !mote.before_cloth) ++over_cloth;
-        EXPECT_FALSE(at.z < 0 && mote.before_cloth) << "cloth hides it by itself";
-    }
-    EXPECT_GT(std::min(before, behind), 10);
-    EXPECT_LT(over_cloth, before / 4) << "but for those that are new";
 }
 
 }  // namespace

@@ -70,55 +70,6 @@ TEST(Timeline, KeepsWithinItsRoomTheLatest) {
     EXPECT_EQ(one.size(), 1u);
 }
 
-TEST(Timeline, TheOtherFutureTakesNoRoomOnceItIsForgotten) {
-    Simulation simulation = small_scene("flag");
-    const std::size_t each = simulation.world().save_size();
-    Timeline timeline(8 * each);
-    const auto run = [&](int steps) {
-        for (int k = 0; k < steps; ++k) {
-            simulation.step(step_time);
-            ASSERT_TRUE(timeline.keep(simulation));
-            EXPECT_EQ(timeline.bytes(), timeline.size() * each);
-        }
-    };
-    run(6);
-    ASSERT_TRUE(timeline.go_to(1, simulation));
-    run(1);
-    EXPECT_EQ(timeline.size(), 3u);
-    run(5);
-    EXPECT_EQ(timeline.size(), 8u);
-}
-
-TEST(Timeline, KnowsBallsThatWereNotThereYet) {
-    Simulation simulation = small_scene("flag");
-    Timeline timeline;
-    Hands hands;
-    hands.begin(simulation);
-    const auto step = [&] {
-        hands.before_step(simulation, step_time);
-        simulation.step(step_time);
-        ASSERT_TRUE(timeline.keep(simulation, hands.mark()));
-    };
-    const auto go_to = [&](std::size_t which) {
-        const HandMark mark = timeline.mark_of(which);
-        ASSERT_TRUE(hands.prepare(simulation, mark));
-        ASSERT_TRUE(timeline.go_to(which, simulation));
-        hands.arrive_in(simulation, mark);
-    };
-    for (int k = 0; k < 4; ++k) step();
-    const std::uint64_t before = simulation.world().state_hash();
-    ASSERT_TRUE(hands.throw_ball(simulation, {{0.5f, 1.8f, 2}, {0, 0, -1}}));
-    for (int k = 0; k < 6; ++k) step();
-    const std::uint64_t after = simulation.world().state_hash();
-    go_to(3);
-    EXPECT_FALSE(hands.balls.are_there());
-    EXPECT_EQ(simulation.world().state_hash(), before);
-    go_to(9);
-    EXPECT_TRUE(hands.balls.are_there());
-    EXPECT_EQ(hands.balls.in_play(simulation.world()).size(), 1u);
-    EXPECT_EQ(simulation.world().state_hash(), after);
-}
-
 TEST(Timeline, NobodyHoldsWhatAHandHeldThen) {
     Simulation simulation = small_scene("flag");
     render::OrbitCamera camera = simulation.content().camera;

@@ -58,17 +58,6 @@ TEST(WindArrow, LongerIsFasterAndItsFootIsStill) {
     EXPECT_EQ(last, WindControl::max_speed);
 }
 
-TEST(WindArrow, IsNotUnderWhatIsBesideIt) {
-    WindArrow arrow;
-    arrow.place({}, 1.5f);
-    const WindControl wind({6, 0, 1});
-    EXPECT_TRUE(arrow.is_under(arrow.foot(), wind));
-    EXPECT_TRUE(arrow.is_under(arrow.tip(wind), wind));
-    EXPECT_FALSE(arrow.is_under({0.1f, 0.1f}, wind));
-    const Vec2 tip = arrow.tip(wind), foot = arrow.foot();
-    EXPECT_FALSE(arrow.is_under({2 * tip.x - foot.x, 2 * tip.y - foot.y}, wind));
-}
-
 TEST(Gamepad, TheStickPointsTheWindAsTheCameraLooks) {
     for (const float yaw : {0.0f, 1.1f}) {
         WindControl wind({4, 0, 0});

@@ -32,17 +32,6 @@ TEST(Elastica, HasPeircesAngle) {
     EXPECT_NEAR(length, 1, 1e-3);
 }
 
-TEST(Drape, AFlatDiscShadesAllAndAHangingOneNothing) {
-    EXPECT_FLOAT_EQ(drape_coefficient(std::numbers::pi_v<float> * 0.15f * 0.15f, 0.09f, 0.15f), 1);
-    EXPECT_FLOAT_EQ(drape_coefficient(std::numbers::pi_v<float> * 0.09f * 0.09f, 0.09f, 0.15f), 0);
-    const Mesh mesh = drape_disc(0.15f, 12, {0.3f, 0.5f, -0.2f});
-    EXPECT_EQ(mesh.positions.size(), 1u + 3 * 12 * 13);
-    auto world = World::create();
-    const auto id = world->add_cloth(mesh);
-    ASSERT_TRUE(id.ok()) << id.error().message;
-    EXPECT_NEAR(shadow_area(mesh, *world->cloth(*id)), std::numbers::pi * 0.15 * 0.15, 3e-4);
-}
-
 Simulation small_flag() {
     SceneOptions options;
     options.particles = 200;
@@ -64,27 +53,6 @@ TEST(Comparison, TheFinerOneIsNearerToTheExact) {
     EXPECT_GE(comparison->other().farthest, comparison->other().usual);
     EXPECT_EQ(comparison->other().substeps, 1);
     EXPECT_GT(comparison->shown().milliseconds, 0);
-}
-
-TEST(Comparison, TheSameMethodIsTheSame) {
-    Simulation shown = small_flag();
-    const auto settings = shown.world().cloth_settings(shown.content().cloths.front().id);
-    auto comparison = Comparison::start(shown, settings->method, Fairness::same_steps);
-    ASSERT_TRUE(comparison.ok());
-    for (int i = 0; i < 10; ++i) {
-        shown.step(1.0f / 60);
-        comparison->step(shown, 1.0f / 60);
-    }
-    EXPECT_EQ(comparison->shown().usual, comparison->other().usual);
-}
-
-TEST(Comparison, EqualTimeGivesTheCheaperMoreSteps) {
-    EXPECT_EQ(balanced_substeps(1, 4, 1), 4);
-    EXPECT_EQ(balanced_substeps(8, 1, 4), 2);
-    EXPECT_EQ(balanced_substeps(3, 2, 2.1f), 3);
-    EXPECT_EQ(balanced_substeps(1, 1, 50), 1);
-    EXPECT_EQ(balanced_substeps(10, 100, 1), 64);
-    EXPECT_EQ(balanced_substeps(5, 0, 1), 5) << "nothing measured yet";
 }
 
 }  // namespace

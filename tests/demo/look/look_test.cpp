@@ -28,12 +28,6 @@ void draw_pictures(QualityChoice& choice, float at_best, int pictures, int pixel
     for (int i = 0; i < pictures; ++i) choice.add(at_best * choice.now().cost, pixels);
 }
 
-TEST(QualityChoice, StaysAtTheBestWhereThereIsTime) {
-    QualityChoice choice;
-    draw_pictures(choice, 5, 300);
-    EXPECT_EQ(choice.level(), 0);
-}
-
 TEST(QualityChoice, GoesDownUntilDrawingLeavesTime) {
     for (const float at_best : {30.0f, 60.0f, 100.0f, 160.0f}) {
         QualityChoice choice;
@@ -50,54 +44,11 @@ TEST(QualityChoice, GoesDownUntilDrawingLeavesTime) {
     }
 }
 
-TEST(QualityChoice, ComesBackWhenTheWindowIsSmaller) {
-    QualityChoice choice;
-    draw_pictures(choice, 500, 300);
-    EXPECT_EQ(choice.level() + 1, static_cast<int>(quality_levels().size()));
-    draw_pictures(choice, 5, 300, 640 * 400);
-    EXPECT_EQ(choice.level(), 0);
-}
-
 TEST(QualityChoice, AHandsChoiceStays) {
     QualityChoice choice;
     choice.choose(2);
     draw_pictures(choice, 500, 300);
     EXPECT_EQ(choice.level(), 2);
-}
-
-TEST(QualityChoice, LevelsCostLessAndSayWhatTheyLeaveOut) {
-    float cost = 2;
-    for (const QualityLevel& each : quality_levels()) {
-        EXPECT_LT(each.cost, cost) << each.name;
-        cost = each.cost;
-        EXPECT_EQ(each.left_out[0] == 0, each.quality == render::Quality{}) << each.name;
-    }
-}
-
-TEST(PictureTimes, SayWhatIsSlow) {
-    PictureTimes times;
-    for (int i = 0; i < 300; ++i) {
-        times.add_step(4);
-        times.add_step(6);
-        times.add_picture(static_cast<float>(i % 10), 30);
-    }
-    EXPECT_EQ(times.size(), PictureTimes::length);
-    EXPECT_EQ(times.percentile(0.5f).cloth, 10);
-    EXPECT_EQ(times.percentile(0.99f).drawing, 9);
-    EXPECT_EQ(times.at(0).rest(), 11);
-    EXPECT_NE(
-        std::string(what_is_slow({.cloth = 20, .drawing = 5, .whole = 30}, true)).find("the cloth takes"),
-        std::string::npos);
-    EXPECT_NE(std::string(what_is_slow({.cloth = 5, .drawing = 20, .whole = 30}, true)).find("drawing takes"),
-              std::string::npos);
-    EXPECT_NE(std::string(what_is_slow({.cloth = 5, .drawing = 5, .whole = 30}, true)).find("other programs"),
-              std::string::npos);
-}
-
-TEST(FlagsText, ABlownClothIsNotAPinThatJumps) {
-    EXPECT_NE(flags_text(StepFlags::speed_limited, 40).find("wind"), std::string::npos);
-    EXPECT_EQ(flags_text(StepFlags::speed_limited, 40).find("pin"), std::string::npos);
-    EXPECT_NE(flags_text(StepFlags::speed_limited, 3).find("pin"), std::string::npos);
 }
 
 TEST(RoundedMesh, IsOnTheCylinderThatTheClothIsBentOver) {
@@ -132,22 +83,6 @@ TEST(RoundedMesh, IsOnTheCylinderThatTheClothIsBentOver) {
     EXPECT_NEAR(least, radius - flat, 0.05f * flat) << "on the flat triangles, where nothing may be added";
 }
 
-TEST(Inside, ColoursWhatIsStretchedOrFast) {
-    SmallWorld small;
-    const ClothId id = small.cloths.front().id;
-    std::vector<Vec4> colours;
-    colour_particles(ShownAsColour::nothing, small.cloths.front(), *small.world.cloth(id), colours);
-    EXPECT_TRUE(colours.empty());
-    for (const ShownAsColour what : {ShownAsColour::strain, ShownAsColour::bending, ShownAsColour::speed}) {
-        colour_particles(what, small.cloths.front(), *small.world.cloth(id), colours);
-        for (const Vec4& each : colours) EXPECT_GT(each.z, each.x) << "blue at rest";
-    }
-    for (int i = 0; i < 90; ++i) small.world.step(1.0f / 60);  // it falls
-    colour_particles(ShownAsColour::speed, small.cloths.front(), *small.world.cloth(id), colours);
-    for (const Vec4& each : colours) EXPECT_GT(each.x, each.z) << "red at speed";
-    EXPECT_GT(scale_of(ShownAsColour::speed)[0], 0);
-}
-
 TEST(Materials, AreSevenAndAreTaken) {
     EXPECT_EQ(materials().size(), 7u);
     SmallWorld small;
@@ -157,25 +92,6 @@ TEST(Materials, AreSevenAndAreTaken) {
         EXPECT_TRUE(small.world.set_cloth_settings(small.cloths.front().id, settings).ok()) << each.name;
         EXPECT_GT(std::string(each.note).size(), 20u);
     }
-}
-
-TEST(Materials, OneStiffnessScalesAll) {
-    Fabric fabric;
-    fabric.warp = 400;
-    fabric.weft = 100;
-    fabric.shear = 50;
-    EXPECT_FLOAT_EQ(stiffness_of(fabric), 200);
-    set_stiffness(fabric, 1000);
-    EXPECT_FLOAT_EQ(fabric.warp, 2000);
-    EXPECT_FLOAT_EQ(fabric.weft, 500);
-    EXPECT_FLOAT_EQ(fabric.shear, 250);
-}
-
-TEST(Dropped, KindsByTheEndOfTheName) {
-    EXPECT_EQ(kind_of("a/Shirt.OBJ"), FileKind::garment);
-    EXPECT_EQ(kind_of("a.glb"), FileKind::garment) << "nobody in it";
-    EXPECT_EQ(kind_of("weft.json"), FileKind::settings);
-    EXPECT_EQ(kind_of("a.txt"), FileKind::unknown);
 }
 
 class SettingsFile : public testing::Test {
@@ -269,23 +185,6 @@ TEST(Simulation, RestoresItsDefaults) {
     EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric.warp, 77);
     ASSERT_TRUE(simulation->restore_defaults().ok());
     EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric, first);
-}
-
-TEST(RoomBeside, ComesAndGoesWithTheOther) {
-    const render::OrbitCamera first{.target = {1, 2, 3}, .distance = 3};
-    render::OrbitCamera camera = first;
-    float before = 0;
-    make_room_beside(camera, 2, before);
-    const render::OrbitCamera wide = camera;
-    EXPECT_EQ(wide.target.x, 2) << "between both";
-    EXPECT_GT(wide.distance, 4);
-    make_room_beside(camera, 2, before);
-    EXPECT_EQ(camera.distance, wide.distance) << "once";
-    camera.yaw += 1;
-    make_room_beside(camera, 0, before);
-    EXPECT_FLOAT_EQ(camera.target.x, first.target.x);
-    EXPECT_FLOAT_EQ(camera.distance, first.distance);
-    EXPECT_EQ(camera.yaw, first.yaw + 1) << "what somebody did meanwhile stays";
 }
 
 TEST(Recorder, LeavesPicturesByNumber) {

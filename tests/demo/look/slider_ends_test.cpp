@@ -49,10 +49,10 @@ TEST_F(SliderEnds, LeaveASoundCloth) {
         if (label == "threads" || label == "text size" || label == "at least") continue;
         Simulation each = simulation();
         wind = WindControl(each.world().settings().wind.velocity);
-        run(each, 0.5f);
+        run(each, 0.25f);
         for (const float end : {ends.least, ends.most}) {
             set(each, label, end);
-            run(each, 1);
+            run(each, 0.5f);
         }
         set(each, label, ends.first);
         EXPECT_EQ(panels.message, "") << label;
