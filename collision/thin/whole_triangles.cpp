@@ -110,13 +110,8 @@ struct WholeTriangles::Meeting {
         }
         return paths;
     }
-    /// Whether two corners or more meet the collider.
-    [[nodiscard]] bool may_meet(const Triangle& corners) const {
-        return meets_side(corners, 0) || meets_side(corners, 1) || meets_side(corners, 2);
-    }
-    /// Whether all three corners meet it, or those of the k-th side.
-    [[nodiscard]] bool meets(const Triangle& corners) const {
-        return std::ranges::all_of(corners, [&](std::uint32_t i) { return cloth.meets(motion.end, i); });
+    [[nodiscard]] auto corners_that_meet(const Triangle& corners) const {
+        return std::ranges::count_if(corners, [&](std::uint32_t i) { return cloth.meets(motion.end, i); });
     }
     [[nodiscard]] bool meets_side(const Triangle& corners, std::size_t k) const {
         return cloth.meets(motion.end, corners[k]) && cloth.meets(motion.end, corners[(k + 1) % 3]);
@@ -300,7 +295,7 @@ void WholeTriangles::find_near_in_block(const Meeting& meeting, const BlockRange
                               meeting.particles.positions, span.first, span.last);
     for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin)) {
         const Triangle& triangle = triangles_[t];
-        if (sides.leave_out(triangle) || !meeting.may_meet(triangle)) continue;
+        if (sides.leave_out(triangle) || meeting.corners_that_meet(triangle) < 2) continue;
         const CornerPaths corners = meeting.paths(triangle);
         const float way = longest_way(corners);
         const Thinness thinness = slipping.beside(meeting.side(corners), slipping.edges_part(way, meeting.h));
@@ -356,7 +351,7 @@ bool WholeTriangles::push_out_triangle(const Meeting& meeting, std::uint32_t tri
         for (std::size_t k = 0; k < 3; ++k) box.extend(paths.from[k]).extend(paths.to[k]);
         if (!Eigen::AlignedBox3f(box.min() - margin, box.max() + margin).intersects(core.box)) continue;
         if (core.is_point()) {
-            if (meeting.meets(corners)) push(core, corners, paths);
+            if (meeting.corners_that_meet(corners) == 3) push(core, corners, paths);
             continue;
         }
         for (std::size_t k = 0; k < 3; ++k) {
@@ -382,7 +377,7 @@ std::uint32_t WholeTriangles::find_pierced(Parallel& parallel, const Skewer& ske
         if (!overlap(joined(span.first / block_size, span.last / block_size).ends, bounds)) return;
         const ParticleSides sides(box, positions, positions, span.first, span.last);
         for (const std::uint32_t t : order_.span().subspan(range.begin, range.end - range.begin))
-            if (!sides.leave_out(triangles_[t]) && meeting.meets(triangles_[t]) &&
+            if (!sides.leave_out(triangles_[t]) && meeting.corners_that_meet(triangles_[t]) == 3 &&
                 skewer.goes_through(triangles_[t], positions))
                 near_[range.begin + count++] = t;
     });
