@@ -15,7 +15,7 @@ constexpr std::uint32_t looked_at = 4;
 /// Rows of less reach are left out: the level's motions hardly change their gap.
 constexpr float least_reach = 0.1f;
 
-constexpr std::uint32_t none = ~0u;
+constexpr std::uint32_t no_slot = ~0u;
 /// Few, because a node has many rows.
 constexpr std::uint32_t nodes_per_block = 16;
 
@@ -38,15 +38,16 @@ class CoarsePairs::Sum {
         nodes_[count_] = node;
         weights_[count_++] = c;
     }
-    /// The nodes of the largest weight of either sign, the lower number first; `none` without weights.
+    /// The nodes of the largest weight of either sign, the lower number first; `no_slot` without weights.
     [[nodiscard]] Key key() const {
-        std::uint32_t most = none, least = none;
+        std::uint32_t most = no_slot, least = no_slot;
         for (std::uint32_t k = 0; k < count_; ++k) {
-            if (weights_[k] > 0 && (most == none || weights_[k] > weights_[most])) most = k;
-            if (weights_[k] < 0 && (least == none || weights_[k] < weights_[least])) least = k;
+            if (weights_[k] > 0 && (most == no_slot || weights_[k] > weights_[most])) most = k;
+            if (weights_[k] < 0 && (least == no_slot || weights_[k] < weights_[least])) least = k;
         }
-        if (most == none && least == none) return {none, none, 1};
-        const std::uint32_t a = nodes_[most != none ? most : least], b = nodes_[least != none ? least : most];
+        if (most == no_slot && least == no_slot) return {no_slot, no_slot, 1};
+        const std::uint32_t a = nodes_[most != no_slot ? most : least],
+                            b = nodes_[least != no_slot ? least : most];
         return {std::min(a, b), std::max(a, b), a <= b ? 1.0f : -1.0f};
     }
     [[nodiscard]] Row row(float scale, const Symmetric3& stiffness) const {
@@ -111,11 +112,11 @@ void CoarsePairs::sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows) {
     const std::span<std::uint32_t> starts = starts_.span(), merged = merged_.span();
     std::ranges::fill(starts, 0u);
     for (const Key& key : keys_.span().first(fine_rows))
-        if (key.low != none) ++starts[key.low + 1];
+        if (key.low != no_slot) ++starts[key.low + 1];
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     std::ranges::copy(starts, merged.begin());
     for (std::uint32_t k = 0; k < fine_rows; ++k)
-        if (keys_[k].low != none) order_[merged_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
+        if (keys_[k].low != no_slot) order_[merged_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
     const auto nodes = static_cast<std::uint32_t>(starts_.size() - 1);
     parallel.ranges(
         nodes,
@@ -198,7 +199,7 @@ void CoarsePairs::gather(Parallel& parallel, const Numbering& number, const Inte
     parallel.ranges(count, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
             const bool inner = number.has_all_corners(active_[k].pair);
-            keys_[k] = inner ? key_of(active_[k], number, p, weights) : Key{none, none, 1};
+            keys_[k] = inner ? key_of(active_[k], number, p, weights) : Key{no_slot, no_slot, 1};
             if (!inner) any_outer.store(true, std::memory_order_relaxed);
         }
     });
