@@ -119,6 +119,7 @@ TEST_P(AirKernels, ForcesAreHandedOnAlongTheirSlope) {
             from[i] = to_vec4(Vector3(0.1f * static_cast<float>(i % 7), -0.3f, 0.2f), 0);
         cloth.surface.compute_air_forces(serial,
                                          {.wind = &breeze,
+                                          .air_velocities = {},
                                           .positions = cloth.state.positions.span(),
                                           .velocities = cloth.state.velocities.span(),
                                           .from_velocities = from.span()},

@@ -63,6 +63,7 @@ TEST(AirForces, AddUpAndScaleWithRelativeVelocity) {
     const auto blow = [&](const Wind& wind) {
         cloth.surface.compute_air_forces(serial,
                                          {.wind = &wind,
+                                          .air_velocities = {},
                                           .positions = cloth.state.positions.span(),
                                           .velocities = cloth.state.velocities.span(),
                                           .from_velocities = cloth.state.velocities.span()},
