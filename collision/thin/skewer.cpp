@@ -9,9 +9,9 @@ namespace weft {
 
 namespace {
 
-/// Speed of coming off: over the tip of a hand in two frames. The rest of the cloth draws back by centimetres
-/// in each; at a quarter of this a swinging hand keeps it for nine, and stretches it twice as much.
-constexpr float speed = 5;  // [m/s]
+/// Speed of coming off: over the tip of a hand in one frame. The rest of the cloth draws back in each, by so
+/// much that at half of this a forearm may keep it for ever.
+constexpr float speed = 8;  // [m/s]
 
 bool is_inside_another(const Vector3& point, const ColliderMotion& motion,
                        std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h) {

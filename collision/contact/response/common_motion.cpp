@@ -121,6 +121,9 @@ CommonMotion CommonMotionFit::fit(Parallel& parallel, std::span<const ParticleRa
     Matrix3d rotation;
     if (!extents.allFinite() || !changes.allFinite()) return motion;
     if (!nearest_rotation(extents + changes, rotation)) return motion;
+    // Cloth that flies through another in one step would look like both turning about each other.
+    const bool is_a_quarter_turn = !(rotation.trace() > 1);
+    if (is_a_quarter_turn) return motion;
     const double added = regularisation * extents.trace();
     const Matrix3d map =
         (extents + changes + added * rotation) * (extents + added * Matrix3d::Identity()).inverse();

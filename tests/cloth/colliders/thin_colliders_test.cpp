@@ -338,7 +338,7 @@ struct Arm {
 // As where cloth between a hand and a thigh has nowhere to go. In cells of 3 cm no particle need be inside.
 TEST(ThinColliders, ClothThatALimbHasPiercedComesOffOverItsTip) {
     // As far as the hand, and the forearm.
-    for (const auto& [depth, steps] : {std::pair(0.05f, 5), {0.1f, 5}, {0.2f, 50}}) {
+    for (const float depth : {0.05f, 0.1f, 0.15f, 0.19f, 0.2f, 0.21f, 0.25f}) {
         LevelSheet sheet(33);
         sheet.pin_border();
         const Arm arm(sheet.world, 0.1f);
@@ -347,7 +347,7 @@ TEST(ThinColliders, ClothThatALimbHasPiercedComesOffOverItsTip) {
         for (const Vec4& x : sheet.view().positions) tip = std::min(tip, x.y - depth);
         arm.place(sheet.world, tip);
         ASSERT_GT(pierced(sheet.view(), Arm::axes(tip)), 0) << depth;
-        for (int k = 0; k < steps; ++k) sheet.world.step(step_length);
+        for (int k = 0; k < 5; ++k) sheet.world.step(step_length);
         for (int k = 0; k < 60; ++k) {
             EXPECT_EQ(pierced(sheet.view(), Arm::axes(tip)), 0) << depth << ", " << k;
             sheet.world.step(step_length);
