@@ -79,7 +79,7 @@ class Inside {
     [[nodiscard]] Depth at_start(std::uint32_t i) const {
         constexpr float reach = 1e-3f;
         const Vector3 p = xyz(particles_.starts[i]);
-        if (!box_.contains(p)) return {};
+        if (!box_.contains(p) || !cloth_.meets(motion_.end, i)) return {};
         const SurfacePoint near = nearest_surface(motion_.start, p, motion_.held);
         const float depth = cloth_.thickness[i] + motion_.start.thickness - near.distance;
         return {near.normal, is_free(p, cloth_.thickness[i] + reach) ? depth : 0};

@@ -190,6 +190,30 @@ TEST(ColliderMasks, OnlyWhatMeetsAPlacedColliderComesOutOfIt) {
     EXPECT_LT(height(middle - 3), height(middle + 3) - 0.02f);
 }
 
+TEST(ColliderMasks, OnlyWhatMeetsABoxIsLedOutOfItsMiddle) {
+    Mesh mesh;
+    for (const float z : {-0.1f, 0.1f}) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const Vec3& p : {Vec3{0, -0.05f, z}, Vec3{0, 0.05f, z}, Vec3{0.1f, 0.05f, z}})
+            mesh.positions.push_back(p);
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    World world = still_air({});
+    const ClothId cloth = world.add_cloth(mesh).value();
+    ASSERT_TRUE(world.set_map(cloth, Map::collider_mask, std::vector<float>{1, 1, 1, 2, 2, 2}));
+    ASSERT_TRUE(world.add_collider({.shape = Box{.center = {}, .half_extents = {0.3f, 0.2f, 0.3f}}}));
+    for (int k = 0; k < 30; ++k) world.step(h);
+    const ClothView view = world.cloth(cloth).value();
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const Vec4& now = view.positions[view.vertex_to_particle[v]];
+        const float moved = (xyz(now) - to_vector(mesh.positions[v])).norm();
+        if (v < 3)
+            EXPECT_GT(moved, 0.03f) << v;
+        else
+            EXPECT_EQ(moved, 0) << v;
+    }
+}
+
 TEST(ColliderMasks, OfWeldedVerticesAllBitsCount) {
     const Vec3 corner{0.5f, 0, 0.5f};
     const Mesh mesh{.positions = {{-0.5f, 0, -0.5f}, {0.5f, 0, -0.5f}, {-0.5f, 0, 0.5f}, corner, corner},
