@@ -44,7 +44,7 @@ TEST(CommonMotion, IsFoundWhereItIsAffine) {
     const Rows positions = random_vectors(1000, 1, 1);
     Matrix3 map;
     map << 1.3f, 0.2f, 0, -0.1f, 0.7f, 0.3f, 0.4f, 0, 1.1f;
-    for (const Matrix3& m : {map, turn(2), Matrix3(turn(3) * map)}) {
+    for (const Matrix3& m : {map, turn(1.5f), Matrix3(turn(1.2f) * map)}) {
         const Rows wanted = moved_by(m, positions, {3, 4, -5});
         const CommonMotion motion = fit(positions, wanted);
         EXPECT_EQ(motion.kind, CommonMotionKind::affine);
@@ -92,10 +92,20 @@ TEST(CommonMotion, DoesNotTurnInsideOutAndDoesNotFlatten) {
         Matrix3 map = turn(0.5f);
         map.col(1) *= scale;
         const CommonMotion motion = fit(positions, moved_by(map, positions, {1, 2, 3}));
-        EXPECT_EQ(motion.kind, CommonMotionKind::rigid) << scale;
+        // A mirror's nearest turn is a half-turn.
+        EXPECT_EQ(motion.kind, scale < 0 ? CommonMotionKind::translation : CommonMotionKind::rigid) << scale;
         const Matrix3 rotation = motion.linear + Matrix3::Identity();
         EXPECT_LT((rotation * rotation.transpose() - Matrix3::Identity()).norm(), 1e-5f);
         EXPECT_GT(rotation.determinant(), 0);
+    }
+}
+
+// As sheets that have passed through one another.
+TEST(CommonMotion, HasNoTurnOfMoreThanAQuarter) {
+    const Rows positions = random_vectors(500, 1, 9);
+    for (const float angle : {1.7f, 2.5f, 3.14f}) {
+        const CommonMotion motion = fit(positions, moved_by(turn(angle), positions, {1, 2, 3}));
+        EXPECT_EQ(motion.kind, CommonMotionKind::translation) << angle;
     }
 }
 
