@@ -36,11 +36,11 @@ void Surface::compute_air_forces(Parallel& parallel, const ClothInAir& cloth, bo
     weft::compute_air_forces(parallel, groups_, cloth, rows_.span(), forces);
 }
 
-void AirForce::linearise(Parallel& parallel, std::span<const Vec4> velocities) const {
+void AirForce::linearise(Parallel& parallel, std::span<const Vec4> velocities, bool keeps_normals) const {
     if (surface == nullptr) return;
     ClothInAir at = cloth;
     at.velocities = velocities;
-    surface->compute_air_forces(parallel, at, false, forces);
+    surface->compute_air_forces(parallel, at, keeps_normals, forces);
 }
 
 }  // namespace weft

@@ -53,11 +53,11 @@ class Surface {
 /// The air's force in the equation of one cloth.
 struct AirForce {
     Surface* surface = nullptr;  ///< null: there is no air
-    ClothInAir cloth;            ///< at the velocities at the start of the step
+    ClothInAir cloth;            ///< but for its velocities
     std::span<Vec4> forces;      ///< see ExternalForces
 
-    /// Takes the force, as linear about these velocities.
-    void linearise(Parallel& parallel, std::span<const Vec4> velocities) const;
+    /// Computes the forces from the air's force at these velocities. `keeps_normals`: see Surface.
+    void linearise(Parallel& parallel, std::span<const Vec4> velocities, bool keeps_normals = false) const;
 };
 
 }  // namespace weft

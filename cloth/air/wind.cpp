@@ -76,11 +76,19 @@ void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const 
     }
 }
 
-/// The force on particles from `i` on, on the line with this slope through the force at their velocities, at
-/// the velocities from which it is linear.
-HWY_INLINE Lanes3 linear_from(const ClothInAir& cloth, std::uint32_t i, const Lanes3& force, Lanes slope) {
+/// The force at from_velocities on particles from `i` on, along its slope, of that at their velocities.
+HWY_INLINE Lanes3 along_slope(const ClothInAir& cloth, std::uint32_t i, const Lanes3& force, Lanes slope) {
     const Lanes3 since = xyz(load_rows(&cloth.velocities[i])) - xyz(load_rows(&cloth.from_velocities[i]));
     return mul_add(slope, since, force);
+}
+HWY_INLINE Lanes along_slope(Lanes rows, Lanes since) {
+    return hn::MulAdd(hn::Broadcast<3>(rows), since, rows);
+}
+/// The same for rows of forces and slopes. Precondition: w of velocities is 0.
+HWY_INLINE PackedRows along_slope(const ClothInAir& cloth, std::uint32_t i, const PackedRows& rows) {
+    const PackedRows since = load_packed(&cloth.velocities[i]) - load_packed(&cloth.from_velocities[i]);
+    return {along_slope(rows.r0, since.r0), along_slope(rows.r1, since.r1), along_slope(rows.r2, since.r2),
+            along_slope(rows.r3, since.r3)};
 }
 
 void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const GridWindow& window,
@@ -104,17 +112,14 @@ void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const Gr
         const Lanes4 right = air.thirds(right_normal, u.far_right + u.near_right + cell.third_of_right(u));
         const auto [x, y, z, slope] = loop.sums({cell.shares(left.x, right.x), cell.shares(left.y, right.y),
                                                  cell.shares(left.z, right.z), cell.shares(left.w, right.w)});
-        if (i >= tile.begin) store_rows(linear_from(cloth, i, {x, y, z}, slope), slope, forces + i);
+        if (i >= tile.begin) store_rows(along_slope(cloth, i, {x, y, z}, slope), slope, forces + i);
     }
 }
 
 void sums_of(const TriangleGroups& groups, const BlockRange& range, const ClothInAir& cloth,
              const Vec4* triangle_rows, Vec4* particle_rows) {
-    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes) {
-        store_packed(sum_over_triangles(groups, i, triangle_rows), particle_rows + i);
-        const Lanes4 sum = load_rows(particle_rows + i);
-        store_rows(linear_from(cloth, i, xyz(sum), sum.w), sum.w, particle_rows + i);
-    }
+    for (std::uint32_t i = range.begin; i < range.end; i += part_lanes)
+        store_packed(along_slope(cloth, i, sum_over_triangles(groups, i, triangle_rows)), particle_rows + i);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct ClothInAir {
     float wind_scale = 1;                   ///< of the mean wind's velocity; `air_velocities` have it already
     std::span<const Vec4> air_velocities;   ///< [m/s]; empty: the mean wind blows everywhere
     std::span<const Vec4> positions;        ///< [m]
-    std::span<const Vec4> velocities;       ///< at which the force is taken [m/s]
-    std::span<const Vec4> from_velocities;  ///< from which the force is linear [m/s]
+    std::span<const Vec4> velocities;       ///< at which the air acts [m/s]
+    std::span<const Vec4> from_velocities;  ///< at which forces are stored, along their slopes [m/s]
 
     [[nodiscard]] Vector3 mean_wind() const { return wind_scale * to_vector(wind->velocity); }
 };

@@ -20,8 +20,8 @@ class SeamRows;
 struct ExternalForces {
     Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
     float air_damping = 0;              ///< [1/s]
-    /// Per particle: the air's force [N] at the start's velocities, w slope of drag [N s/m], of a line through
-    /// the force where it was taken last; empty: no air.
+    /// Per particle: the air's force [N] at the start's velocities, w slope of drag [N s/m], of a line
+    /// through the force where it was taken last; empty: no air.
     std::span<const Vec4> air;
     FillingRow* filling = nullptr;  ///< of the cloth, or null; its force is that at its last linearisation
 };

@@ -28,21 +28,20 @@ void Simulation::find_air(Parallel& threads, std::span<const Vec4> points, std::
 }
 
 AirForce air_force(const Simulation& world, Cloth& cloth) {
-    const std::span<const Vec4> velocities = std::as_const(cloth.state.velocities).span();
     return {.surface = world.air_is_on() ? &cloth.surface : nullptr,
             .cloth = {.wind = &world.settings.wind,
                       .wind_scale = cloth.settings.wind_scale,
                       .air_velocities = std::as_const(cloth.air.velocities).span(),
                       .positions = std::as_const(cloth.state.positions).span(),
-                      .velocities = velocities,
-                      .from_velocities = velocities},
+                      .velocities = {},
+                      .from_velocities = std::as_const(cloth.state.velocities).span()},
             .forces = cloth.air.forces.span()};
 }
 
 void find_air_forces(Simulation& world, Worker& worker, Cloth& cloth, bool keeps_normals) {
     const auto timer = world.timed(Stage::wind);
     const AirForce air = air_force(world, cloth);
-    cloth.surface.compute_air_forces(worker.parallel, air.cloth, keeps_normals, air.forces);
+    air.linearise(worker.parallel, air.cloth.from_velocities, keeps_normals);
 }
 
 }  // namespace weft
