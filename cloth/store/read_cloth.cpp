@@ -11,32 +11,32 @@ namespace weft {
 namespace {
 
 Result<void> check_cloth(const std::string& name, const ClothHead& saved, const ClothHead& here) {
-    const auto differs = [&](const char* what, std::uint32_t a, std::uint32_t b, const char* because) {
-        return does_not_fit(name + " has " + std::to_string(a) + ' ' + what + ", the one here " +
-                            std::to_string(b) + because);
+    struct Count {
+        std::uint32_t ClothHead::*member;
+        const char *of, *what_to_do;
     };
-    if (saved.particles != here.particles)
-        return differs("particles", saved.particles, here.particles, "; give it the mesh that it had");
+    static constexpr Count counts[] = {
+        {&ClothHead::record, "particles in BDF2's record", "set the time scheme and the method that it had"},
+        {&ClothHead::tangles, "particles with contact", "set the self-collision that it had"},
+        {&ClothHead::held, "particles held by colliders",
+         "set the method and the collider response that it had, and add colliders before where it had some"},
+        {&ClothHead::rest, "times of rest", "set ClothSettings::sleep_speed as it was"},
+        {&ClothHead::skin, "places and normals of its skin",
+         "set the maps of leashes and backstops that it had"},
+        {&ClothHead::detail, "particles with a budget",
+         "set WorldSettings::budget to 0 where it was, and above where it was above"}};
+    const auto check = [&](const Count& count) -> Result<void> {
+        const std::uint32_t then = saved.*count.member, now = here.*count.member;
+        if (then == now) return {};
+        return does_not_fit(name + " has " + std::to_string(then) + ' ' + count.of + ", the one here " +
+                            std::to_string(now) + "; " + count.what_to_do);
+    };
+    if (auto same = check({&ClothHead::particles, "particles", "give it the mesh that it had"}); !same)
+        return same;
     if (saved.mesh != here.mesh)
         return does_not_fit(name + " has other triangles than the one here; give it the mesh that it had");
-    if (saved.record != here.record)
-        return differs("particles in BDF2's record", saved.record, here.record,
-                       "; set the time scheme and the method that it had");
-    if (saved.tangles != here.tangles)
-        return differs("particles with contact", saved.tangles, here.tangles,
-                       "; set the self-collision that it had");
-    if (saved.held != here.held)
-        return differs("particles held by colliders", saved.held, here.held,
-                       "; set the method and the collider response that it had, and add colliders before "
-                       "where it had some");
-    if (saved.rest != here.rest)
-        return differs("times of rest", saved.rest, here.rest, "; set ClothSettings::sleep_speed as it was");
-    if (saved.skin != here.skin)
-        return differs("places and normals of its skin", saved.skin, here.skin,
-                       "; set the maps of leashes and backstops that it had");
-    if (saved.detail != here.detail)
-        return differs("particles with a budget", saved.detail, here.detail,
-                       "; set WorldSettings::budget to 0 where it was, and above where it was above");
+    for (const Count& count : counts)
+        if (auto same = check(count); !same) return same;
     if (saved.frame > 1)
         return refused("has " + std::to_string(saved.frame) + " frames of " + name + "; it must be 0 or 1");
     return {};

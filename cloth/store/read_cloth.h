@@ -1,10 +1,11 @@
 #pragma once
-// Reads a save's head, and its cloths one by one: all is checked, and all memory made, before any state is
-// overwritten.
+// A save's head, written and read, and its cloths, read one by one: all is checked, and all memory made,
+// before any state is overwritten.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,18 @@ namespace weft {
 [[nodiscard]] Error does_not_fit(std::string why);
 
 [[nodiscard]] std::uint64_t hash_of(std::span<const std::byte> bytes);
+/// Writes the parts of a save by write(SaveWriter), and the head with their hash before them. Error: less
+/// room than head.bytes for what `call` writes.
+template <class Write>
+Result<void> write_save(const char* call, SaveHead head, std::span<std::byte> to, const Write& write) {
+    if (to.size() < head.bytes)
+        return Error{ErrorCode::invalid_argument, std::string(call) + " needs " + std::to_string(head.bytes) +
+                                                      " bytes; " + std::to_string(to.size()) + " were given"};
+    write(SaveWriter(to.data() + sizeof head));
+    head.hash = hash_of(to.subspan(sizeof head, head.bytes - sizeof head));
+    std::memcpy(to.data(), &head, sizeof head);
+    return {};
+}
 /// Error: another mark or version, other bytes than were written.
 [[nodiscard]] Result<SaveHead> read_head(std::span<const std::byte> saved, const std::array<char, 8>& mark);
 /// Error: fewer bytes are left. A correct checksum does not exclude that: it can be computed for any bytes.

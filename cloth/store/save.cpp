@@ -183,14 +183,8 @@ std::size_t save_size(const Simulation& simulation) {
 }
 
 Result<void> save(const Simulation& simulation, std::span<std::byte> to) {
-    SaveHead head = head_of(simulation);
-    if (to.size() < head.bytes)
-        return Error{ErrorCode::invalid_argument, "save needs " + std::to_string(head.bytes) + " bytes; " +
-                                                      std::to_string(to.size()) + " were given"};
-    for_each_part(simulation, SaveWriter(to.data() + sizeof head));
-    head.hash = hash_of(to.subspan(sizeof head, head.bytes - sizeof head));
-    std::memcpy(to.data(), &head, sizeof head);
-    return {};
+    return write_save("save", head_of(simulation), to,
+                      [&](const SaveWriter& writer) { for_each_part(simulation, writer); });
 }
 
 Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {

@@ -58,17 +58,12 @@ std::size_t save_size(const Cloth& cloth) {
 }
 
 Result<void> save_cloth(const Cloth& cloth, std::span<std::byte> to) {
-    SaveHead head{.mark = cloth_mark,
-                  .cloths = 1,
-                  .bodies = static_cast<std::uint32_t>(cloth.state.shares.size()),
-                  .bytes = save_size(cloth)};
-    if (to.size() < head.bytes)
-        return Error{ErrorCode::invalid_argument, "save_cloth needs " + std::to_string(head.bytes) +
-                                                      " bytes; " + std::to_string(to.size()) + " were given"};
-    for_each_cloth_part(cloth, SaveWriter(to.data() + sizeof head));
-    head.hash = hash_of(to.subspan(sizeof head, head.bytes - sizeof head));
-    std::memcpy(to.data(), &head, sizeof head);
-    return {};
+    const SaveHead head{.mark = cloth_mark,
+                        .cloths = 1,
+                        .bodies = static_cast<std::uint32_t>(cloth.state.shares.size()),
+                        .bytes = save_size(cloth)};
+    return write_save("save_cloth", head, to,
+                      [&](const SaveWriter& writer) { for_each_cloth_part(cloth, writer); });
 }
 
 Result<void> restore_cloth(Simulation& simulation, Cloth& cloth, std::span<const std::byte> saved) {
