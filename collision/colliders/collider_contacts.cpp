@@ -1,6 +1,7 @@
 #include "collision/colliders/collider_contacts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -15,9 +16,6 @@ namespace {
 FoundDepth found_depth(const ColliderMotion& motion) {
     return finds_depth(motion) ? FoundDepth{.least = 2e-5f} : FoundDepth{};  // above rounding
 }
-
-/// Set in a block's count of particles that met a collider if any is left deep inside one.
-constexpr std::uint32_t left_deep = 1u << 31;
 
 /// A block's properties towards one collider. Particles that do not meet it have a thickness that no depth
 /// makes up for.
@@ -214,8 +212,8 @@ class Emerging {
     std::uint32_t size_ = 0;  // number of `particles_` in use
 };
 
-std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
-                            const CollidingParticles& particles) {
+MetParticles collide_block(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
+                           const CollidingParticles& particles) {
     const std::span<const Vec4> starts = particles.starts;
     LeftInside left;
     CollidingBlock block{.positions = particles.positions,
@@ -242,11 +240,12 @@ std::uint32_t collide_block(std::span<const ColliderMotion> colliders, const Clo
         };
         if_near(motion, h, cloth, 0, block.paths, meet);
     }
-    const std::uint32_t met = std::accumulate(block.met.begin(), block.met.end(), 0u);
-    if (!block.has_left) return met;
-    Emerging(colliders, cloth, h, block).all();
-    const auto is_deep = [&](float depth) { return depth > particles.deep; };
-    return met | (std::ranges::any_of(left.surfaces.w, is_deep) ? left_deep : 0);
+    bool left_deep = false;
+    if (block.has_left) {
+        Emerging(colliders, cloth, h, block).all();
+        left_deep = std::ranges::any_of(left.surfaces.w, [&](float depth) { return depth > particles.deep; });
+    }
+    return {std::accumulate(block.met.begin(), block.met.end(), 0u), left_deep};
 }
 
 /// The particles of a block.
@@ -265,16 +264,16 @@ CollidingParticles part_of(const CollidingParticles& all, const BlockRange& rang
 MetParticles collide_particles(Parallel& parallel, std::span<const ColliderMotion> colliders,
                                const ClothSide& cloth, float h, const CollidingParticles& particles,
                                std::span<std::uint32_t> block_partials) {
+    std::atomic<bool> left_deep{false};
     const auto block = [&](const BlockRange& range) {
-        return collide_block(colliders, cloth.part(range.begin, range.end - range.begin), h,
-                             part_of(particles, range));
+        const MetParticles met = collide_block(colliders, cloth.part(range.begin, range.end - range.begin), h,
+                                               part_of(particles, range));
+        if (met.left_deep) left_deep.store(true, std::memory_order_relaxed);
+        return met.count;
     };
-    const std::uint32_t met =
-        parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()), block_partials, 0u, block,
-                        [](std::uint32_t a, std::uint32_t b) {
-                            return ((a & ~left_deep) + (b & ~left_deep)) | ((a | b) & left_deep);
-                        });
-    return {met & ~left_deep, (met & left_deep) != 0};
+    const std::uint32_t count = parallel.reduce(static_cast<std::uint32_t>(particles.positions.size()),
+                                                block_partials, 0u, block, std::plus<>{});
+    return {count, left_deep};
 }
 
 std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> colliders,
@@ -289,8 +288,8 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
     float fastest = 0;
     for (const Vec4& v : velocities) fastest = std::max(fastest, xyz(v).squaredNorm());
     const float farthest = h * std::sqrt(fastest);
-    // What moves, or what cloth goes past by several times its width: cloth that flaps round a pole is
-    // slower.
+    // A collider counts that moves, or that cloth goes past by several times its width; cloth that flaps
+    // round a pole is slower.
     const auto is_fast = [&](const Sweeping& sweep) {
         return sweep.way > sweep.thin_as_a_whole ||
                (sweep.way >= 0 && sweep.way + farthest > 8 * sweep.thin_as_a_whole);

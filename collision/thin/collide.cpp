@@ -10,6 +10,7 @@ std::uint32_t collide(Parallel& parallel, std::span<const ColliderMotion> collid
     if (colliders.empty()) return 0;
     const bool has_whole = particles.whole != nullptr && !particles.starts.empty();
     CollidingParticles all = particles;
+    // From both sides of an edge, shallower ways out draw it out by less than lead_out() looks for.
     if (has_whole) all.deep = 0.125f * particles.whole->mean_edge();
     const MetParticles met = collide_particles(parallel, colliders, cloth, h, all, block_partials);
     if (!has_whole) return met.count;

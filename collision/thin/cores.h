@@ -50,8 +50,8 @@ struct Slipping {
 
     /// Thinness of the round core beside sides of that length [m].
     [[nodiscard]] Thinness as_rod(float side) const;
-    /// Whether edges part cloth that goes this way relative to the collider in h seconds [m]. On edges that
-    /// count cloth does not come to rest: slow cloth does not meet those that stand still.
+    /// Edges part cloth that goes this way relative to the collider in h seconds [m], if this is true. Cloth
+    /// does not come to rest on edges that count, so slow cloth does not meet those that stand still.
     [[nodiscard]] bool edges_part(float relative_way, float h) const {
         constexpr float fast = 1;  // [m/s]
         return has_edges && (edges_move || relative_way > fast * h);

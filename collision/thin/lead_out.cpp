@@ -14,7 +14,7 @@ namespace weft {
 
 namespace {
 
-/// One collider that cloth may be inside of at the substep's start.
+/// A collider, with the cloth that may be inside of it at the substep's start.
 class Inside {
   public:
     Inside(const ColliderMotion& motion, std::span<const ColliderMotion> colliders, const ClothSide& cloth,
@@ -27,7 +27,7 @@ class Inside {
         });
     }
 
-    /// Whether the nearest ways out draw the cloth's edges out by more than a quarter.
+    /// Returns true if the nearest ways out draw one of the triangle's edges out by more than a quarter.
     [[nodiscard]] bool part(const std::array<std::uint32_t, 3>& triangle, float mean_edge) const {
         std::array<Depth, 3> found;
         for (std::size_t k = 0; k < 3; ++k) found[k] = at_start(triangle[k]);

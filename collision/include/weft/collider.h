@@ -65,8 +65,9 @@ struct Collider {
     /// The greater of this and the cloth's own counts. Impacts slower than twice the velocity that gravity
     /// adds in a substep do not bounce, so that cloth comes to rest.
     float restitution = 0;
-    /// A cloth meets the collider if its ClothSettings::collider_mask has a bit of these. A collider that it
-    /// does not meet costs it no time, and is not in its contacts.
+    /// A cloth meets the collider if its ClothSettings::collider_mask has a bit of these, and a vertex if its
+    /// Map::collider_mask has one, too. A collider that a cloth does not meet costs it no time, and is not in
+    /// its contacts.
     std::uint32_t layers = 1;
     /// A trigger exerts no force and changes no byte of the motion. World::contacts() has one contact, the
     /// deepest and without an impulse, for each cloth with a particle nearer than the thickness at a step's
