@@ -110,7 +110,7 @@ bool further_sliders(ClothSettings& settings) {
     return changed;
 }
 
-/// Of closed cloth: a fan blows it up.
+/// A slider by which closed cloth is blown up; other cloth has none.
 bool filling_slider(const World& world, ClothId id, Filling& filling) {
     const auto info = world.filling_info(id);
     if (!info || info->open_edges > 0 || filling.kind == FillingKind::volume) return false;

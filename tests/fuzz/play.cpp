@@ -26,7 +26,7 @@ void Player::call(const Operation& operation) {
         if (is_there(i)) check_cloth(i);
 }
 
-/// What is not made keeps its place among its like.
+/// Objects that are not made keep their places among their like.
 void Player::leave_out(const Operation& operation) {
     if (std::holds_alternative<SaveCloth>(operation.call)) cloth_saves_.emplace_back();
     if (std::holds_alternative<Stitch>(operation.call)) seams_.emplace_back();

@@ -392,9 +392,9 @@ class WEFT_API World {
     Result<void> save(std::span<std::byte> to) const;
     /// Restores a save, exactly the bytes that were written. report() stays the last step's; contacts() is
     /// empty then. Errors, by which nothing changes: a save that is damaged, of another version, or of a
-    /// World with other cloths, shapes or colliders, or settings by which they have another state; one that
-    /// was altered, checksum included, if it names what is not there or has numbers that are none. Masses
-    /// stay those of the cloths here.
+    /// World with other cloths (or other ClothSettings::key), shapes or colliders, or settings by which they
+    /// have another state; one that was altered, checksum included, if it names what is not there or has
+    /// numbers that are none. Masses stay those of the cloths here.
     Result<void> restore(std::span<const std::byte> saved);
     /// Restores of a World's save only the cloths that are here too, after cloths were added or removed:
     /// those of the same ClothSettings::key, other than 0. Returns how many. All else stays as it is: other

@@ -279,7 +279,7 @@ TEST(FoundDepth, ClothInTheMiddleOfABodyLeavesItAsAWhole) {
                 }
 }
 
-// It moves along with the body meanwhile.
+// Cloth in the middle moves along with the body until it is out.
 TEST(FoundDepth, ABodyCarriesTheClothInItsMiddle) {
     for (const int kind : {0, 1, 2}) {
         World world = World::create(vacuum()).value();

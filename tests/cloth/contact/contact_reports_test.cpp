@@ -116,7 +116,7 @@ TEST(ContactReports, OfClothAtRestOnThingsAddUpToItsWeightByEveryMethod) {
             }
             const double of_fall = mass(world, id) * static_cast<double>(g * h) * steps;
             const Eigen::Vector3d changed = momentum(world, id) - before;
-            // What Jacobi and conjugate gradients leave of a hanging rim's equation counts as contact's.
+            // The residual that Jacobi and conjugate gradients leave at a hanging rim counts as contact's.
             const bool leaves_more = std::holds_alternative<Jacobi>(cloth.method) ||
                                      std::holds_alternative<ConjugateGradient>(cloth.method);
             EXPECT_NEAR((sum.y() - changed.y()) / of_fall, 1, leaves_more && on_ball ? 0.3 : 0.02);

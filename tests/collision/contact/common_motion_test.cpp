@@ -100,7 +100,7 @@ TEST(CommonMotion, DoesNotTurnInsideOutAndDoesNotFlatten) {
     }
 }
 
-// As sheets that have passed through one another.
+// Sheets that have passed through one another look as if they had turned so.
 TEST(CommonMotion, HasNoTurnOfMoreThanAQuarter) {
     const Rows positions = random_vectors(500, 1, 9);
     for (const float angle : {1.7f, 2.5f, 3.14f}) {

@@ -347,7 +347,7 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     if (random.chance(0.2)) s.back_friction_ratio = fields.zero_or_more(1e-2f, 10);
     if (random.chance(0.3)) {
         s.filling = random_filling(random, fields);
-        // Of a mesh that is not closed, by another method, or with less than no gas it is refused.
+        // A filling of a mesh that is not closed, by another method, or with less than no gas is refused.
         if (drawn.answer == Answer::accepted) drawn.answer = Answer::either;
     }
     if (drawn.answer == Answer::refused) spoil(random, s);
