@@ -140,22 +140,24 @@ class Passes {
 
 // The energy that is left, b . P b, is the square of Newton's decrement (Deuflhard 2004, "Newton methods for
 // nonlinear problems"): a metric in which a stiff spring counts no more than a soft one. Where much is left,
-// up to two more passes are taken than asked for. After the last pass the springs have turned, so r . v = 0
-// holds in its linearisation only; where much is left, one more minimisation without a cycle restores it.
+// up to two more passes are taken than asked for, and up to eight where more is left than tolerated, since
+// what a flag's step leaves in high wind slows it down. After the last pass the springs have turned, so
+// r . v = 0 holds in its linearisation only; where much is left, one more minimisation without a cycle
+// restores it.
 //
 // BDF2 extrapolates a third of a step's velocity changes, and so a third of what its solve left: limp cloth
 // that crumples in a vacuum gained energy without end, unless solved by six times the passes. Where more than
 // a quarter of the energy of motion is left, the next step extrapolates none of it. In flags of the default
 // fabric less is left, in any wind.
 SolveResult Passes::operator()() {
-    constexpr int most_more = 2;
     constexpr double much = 0.02;   // of the tolerated energy: 5 to 6 m/s^2 by default
     constexpr double rough = 0.25;  // of the energy of motion
     const Multilevel& method = std::get<Multilevel>(first_.settings.method);
     const double tolerated = tolerated_energy(method);
     const auto much_is_left = [&] { return left_ > much * tolerated; };
+    const auto more = [&] { return left_ > tolerated ? 8 : much_is_left() ? 2 : 0; };
     begin();
-    while (passes_ < method.passes || (passes_ < method.passes + most_more && much_is_left())) {
+    while (passes_ < method.passes + more()) {
         linearise();
         if (!minimise(true)) return {.ok = false};
         ++passes_;
