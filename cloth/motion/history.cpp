@@ -140,14 +140,6 @@ void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state
     });
 }
 
-void forget_own_changes(ClothState& state) {
-    if (state.record.velocity_changes.size() == 0) return;
-    MeanChange mean(state);
-    for (std::uint32_t i = 0; i < state.size(); ++i)
-        if (state.positions[i].w > 0) mean.add(i);
-    if (mean.mass() > 0) std::ranges::fill(state.record.velocity_changes.span(), to_vec4(mean.value(), 0));
-}
-
 void History::begin(Parallel& parallel, const ClothState& state, float divisor) {
     const BaseRows rows{.positions = state.positions.data(),
                         .velocities = state.velocities.data(),

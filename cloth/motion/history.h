@@ -31,10 +31,6 @@ struct Bdf {
 /// bounce off each other. The rows number the cloth's particles from `first` on.
 void forget_contact(const PairRows& rows, std::uint32_t first, ClothState& state);
 
-/// Replaces the recorded velocity changes by their mean over all particles that can move: gravity's change,
-/// and that of free cloth as a whole.
-void forget_own_changes(ClothState& state);
-
 /// The bases of one step, made from the record of the last step.
 class History {
   public:

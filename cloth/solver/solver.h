@@ -39,9 +39,6 @@ struct SolveResult {
     float residual = 0;     ///< see StepResidual, which measures every method alike
     bool ok = true;         ///< false: no solution was found, and the velocities may hold anything
     bool unsolved = false;  ///< more of the equation is left than the method tolerates
-    /// Too much energy is left, beside that of the motion, for the next step to extrapolate this step's
-    /// changes of each particle's velocity.
-    bool is_rough = false;
 };
 
 /// Levels that a cloth has in common with what is sewn to it; null: none.

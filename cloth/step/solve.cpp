@@ -309,7 +309,6 @@ void solve_set(Simulation& world, Worker& worker, Group& group, std::span<Cloth*
     for (Cloth* cloth : set) cloth->equation = nullptr;
     for (std::size_t m = 0; m < set.size(); ++m) {
         advance(world, worker, *set[m], equations[m], part.is_first());
-        if (result.is_rough) forget_own_changes(set[m]->state);
         settle(world, worker, *set[m], part);
     }
     place_attached(world, set);

@@ -54,24 +54,20 @@ Coefficients least_energy(const SmallSystem& s) {
     return c;
 }
 
-/// Sums over a block: velocities and number of the pinned particles; momenta, mass and energy of the others.
+/// Sums over a block: velocities and number of the pinned particles; momenta and mass of the others.
 VelocitySums sum_velocities(std::span<const Vec4> positions, const Vec4* velocities,
                             const BlockRange& range) {
     FourRows pinned = FourRows::Zero(), moving = FourRows::Zero();
-    Eigen::Array<float, 1, 4> energy = Eigen::Array<float, 1, 4>::Zero();
     for (std::uint32_t i = range.begin; i < range.end; i += 4) {
         FourRows v = load_four(velocities + i);
-        const Eigen::Array<float, 1, 4> squared = v.square().colwise().sum();
         v.row(3).setOnes();
         const Eigen::Array<float, 1, 4> w = load_four(&positions[i]).row(3);
         const Eigen::Array<float, 1, 4> is_free = (w != 0).cast<float>();
         const Eigen::Array<float, 1, 4> mass = is_free / (w + (1 - is_free));
         pinned += v.rowwise() * (1 - is_free);
         moving += v.rowwise() * mass;
-        energy += 0.5f * mass * squared;
     }
     VelocitySums sums;
-    sums.energy = energy.cast<double>().sum();
     for (std::size_t k = 0; k < 4; ++k) {
         const auto row = static_cast<Eigen::Index>(k);
         sums.pinned[k] = pinned.row(row).cast<double>().sum();
@@ -106,9 +102,6 @@ class Passes {
     void for_each_member(const Work& work);
     [[nodiscard]] double tolerated_energy(const Multilevel& method) const;
     void begin();
-    /// Sums over all members, whose velocities are at velocities(member).
-    template <class Velocities>
-    [[nodiscard]] VelocitySums sum_all(const Velocities& velocities) const;
     [[nodiscard]] Vec4 frame_velocity() const;
     void linearise();
     void list_for_levels();
@@ -141,17 +134,11 @@ class Passes {
 // The energy that is left, b . P b, is the square of Newton's decrement (Deuflhard 2004, "Newton methods for
 // nonlinear problems"): a metric in which a stiff spring counts no more than a soft one. Where much is left,
 // up to two more passes are taken than asked for, and up to eight where more is left than tolerated, since
-// what a flag's step leaves in high wind slows it down. After the last pass the springs have turned, so
-// r . v = 0 holds in its linearisation only; where much is left, one more minimisation without a cycle
-// restores it.
-//
-// BDF2 extrapolates a third of a step's velocity changes, and so a third of what its solve left: limp cloth
-// that crumples in a vacuum gained energy without end, unless solved by six times the passes. Where more than
-// a quarter of the energy of motion is left, the next step extrapolates none of it. In flags of the default
-// fabric less is left, in any wind.
+// BDF2 extrapolates a third of what a step leaves: flags in high wind were slow, and limp cloth that crumples
+// in a vacuum gained energy without end. After the last pass the springs have turned, so r . v = 0 holds in
+// its linearisation only; where much is left, one more minimisation without a cycle restores it.
 SolveResult Passes::operator()() {
-    constexpr double much = 0.02;   // of the tolerated energy: 5 to 6 m/s^2 by default
-    constexpr double rough = 0.25;  // of the energy of motion
+    constexpr double much = 0.02;  // of the tolerated energy: 5 to 6 m/s^2 by default
     const Multilevel& method = std::get<Multilevel>(first_.settings.method);
     const double tolerated = tolerated_energy(method);
     const auto much_is_left = [&] { return left_ > much * tolerated; };
@@ -169,8 +156,7 @@ SolveResult Passes::operator()() {
     keep_momentum();
     for_each_member(follow_filling);
     let_bodies_follow();
-    const VelocitySums ends = sum_all([](const PassMember& member) { return member.vectors.motion.data(); });
-    return {.unsolved = left_ > tolerated, .is_rough = left_ > rough * ends.energy};
+    return {.unsolved = left_ > tolerated};
 }
 
 template <class Work>
@@ -209,23 +195,18 @@ void Passes::begin() {
     });
 }
 
-template <class Velocities>
-VelocitySums Passes::sum_all(const Velocities& velocities) const {
-    VelocitySums all;
-    for (const PassMember& member : members_) {
-        const std::span<const Vec4> positions = member.step.equation.positions;
-        const Vec4* const v = velocities(member);
-        all = parallel_.reduce(
-            static_cast<std::uint32_t>(positions.size()), member.vectors.partials.span(), all,
-            [&](const BlockRange& range) { return sum_velocities(positions, v, range); }, std::plus<>{});
-    }
-    return all;
-}
-
 /// The mean velocity of pinned particles, or else of all mass: the direction `motion` is relative to it.
 Vec4 Passes::frame_velocity() const {
-    const VelocitySums all =
-        sum_all([](const PassMember& member) { return member.step.equation.velocities.data(); });
+    VelocitySums all;
+    for (const PassMember& member : members_) {
+        const StepEquation& equation = member.step.equation;
+        all = parallel_.reduce(
+            static_cast<std::uint32_t>(equation.positions.size()), member.vectors.partials.span(), all,
+            [&](const BlockRange& range) {
+                return sum_velocities(equation.positions, equation.velocities.data(), range);
+            },
+            std::plus<>{});
+    }
     const auto& [x, y, z, weight] = all.pinned[3] > 0 ? all.pinned : all.moving;
     if (!(weight > 0)) return {};
     return {static_cast<float>(x / weight), static_cast<float>(y / weight), static_cast<float>(z / weight),

@@ -17,14 +17,12 @@ namespace weft {
 /// Sums over particles: weighted velocities in the first three, the weights in the last.
 struct VelocitySums {
     std::array<double, 4> pinned{}, moving{};
-    double energy = 0;  ///< kinetic energy of particles that are not pinned [J]
 
     friend VelocitySums operator+(VelocitySums l, const VelocitySums& r) {
         for (std::size_t k = 0; k < 4; ++k) {
             l.pinned[k] += r.pinned[k];
             l.moving[k] += r.moving[k];
         }
-        l.energy += r.energy;
         return l;
     }
 };
