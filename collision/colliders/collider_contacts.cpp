@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -285,9 +286,18 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
             return sweeping(start, end, {h, motion.fastest}, thickness_of(motion, cloth));
         });
     };
-    float fastest = 0;
-    for (const Vec4& v : velocities) fastest = std::max(fastest, xyz(v).squaredNorm());
-    const float farthest = h * std::sqrt(fastest);
+    const auto count = static_cast<std::uint32_t>(positions.size());
+    const auto greater = [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); };
+    // The bits of floats that are not negative are in the floats' order.
+    const auto fastest_bits = [&](const BlockRange& range) {
+        float fastest = 0;
+        for (std::uint32_t i = range.begin; i < range.end; ++i)
+            fastest = std::max(fastest, xyz(velocities[i]).squaredNorm());
+        return std::bit_cast<std::uint32_t>(fastest);
+    };
+    const float farthest =
+        h *
+        std::sqrt(std::bit_cast<float>(parallel.reduce(count, block_partials, 0u, fastest_bits, greater)));
     // A collider counts that moves, or that cloth goes past by several times its width; cloth that flaps
     // round a pole is slower.
     const auto is_fast = [&](const Sweeping& sweep) {
@@ -319,8 +329,7 @@ std::uint32_t parts_to_meet(Parallel& parallel, std::span<const ColliderMotion> 
         }
         return parts;
     };
-    return parallel.reduce(static_cast<std::uint32_t>(positions.size()), block_partials, 1u, block,
-                           [](std::uint32_t a, std::uint32_t b) { return std::max(a, b); });
+    return parallel.reduce(count, block_partials, 1u, block, greater);
 }
 
 bool find_near_surfaces(std::span<const ColliderMotion> colliders, const ClothSide& cloth, float h,
