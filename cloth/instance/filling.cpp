@@ -1,24 +1,15 @@
 // What a cloth's filling goes by: whether its mesh is closed, and what it encloses.
 
 #include <cmath>
-#include <numeric>
 #include <string>
 
 #include "cloth/instance/cloth.h"
+#include "cloth/mesh/model_totals.h"
 #include "engine/error_text.h"
 
 namespace weft {
 
 namespace {
-
-std::uint32_t open_edges(const ClothModel& model) {
-    return model.info.border_edges + model.info.misoriented_edges;
-}
-
-double rest_area(const ClothModel& model) {
-    const std::span<const float> areas = model.rest_area.span();
-    return std::accumulate(areas.begin(), areas.end(), 0.0);
-}
 
 double rest_volume(const ClothModel& model) {
     return enclosed_volume(model.positions.span(), model.triangles.span());
@@ -63,7 +54,7 @@ std::optional<FillingRow> Cloth::make_filling(const Filling& of) const {
 }
 
 FillingInfo Cloth::filling_info() const {
-    FillingInfo info{.open_edges = open_edges(model)};
+    FillingInfo info{.open_edges = open_edges(model.info)};
     if (info.open_edges > 0) return info;
     const double volume = enclosed_volume(state.positions.span(), model.triangles.span());
     info.volume = static_cast<float>(volume);

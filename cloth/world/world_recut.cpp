@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cloth/mesh/cooking/log_repairs.h"
+#include "cloth/mesh/model_totals.h"
 #include "cloth/record/world_calls.h"
 #include "cloth/simulation/sewn.h"
 #include "engine/error_text.h"
@@ -119,8 +120,7 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
             if (auto valid = validate_neighbours(*model, cloth.settings); !valid) return valid.error();
             const ClothInfo info = model->info;
             ClothSettings settings = cloth.settings;
-            const std::uint32_t open_edges = info.border_edges + info.misoriented_edges;
-            const bool bursts = settings.filling.kind != FillingKind::none && open_edges > 0;
+            const bool bursts = settings.filling.kind != FillingKind::none && open_edges(info) > 0;
             if (bursts) settings.filling = {};
             if (auto valid = validate_filling(*model, settings); !valid) return valid.error();
             auto next = std::make_unique<Cloth>(std::move(model).value(), settings);
@@ -139,7 +139,8 @@ Result<void> World::recut_cloth(ClothId id, const Mesh& mesh, std::span<const st
             for (auto& [seam, state] : seams) *simulation.state.seams.find(seam) = std::move(state);
             log_repairs(info);
             if (bursts)
-                log_line(LogLevel::warning, "a cloth has burst: its mesh has %u open edges", open_edges);
+                log_line(LogLevel::warning, "a cloth has burst: its mesh has %u open edges",
+                         open_edges(info));
             return {};
         });
     });

@@ -1,20 +1,11 @@
 #include "cloth/solver/passes/multilevel.h"
 
-#include <numeric>
 #include <utility>
 
 #include "cloth/equation/sparse/vectors.h"
+#include "cloth/mesh/model_totals.h"
 
 namespace weft {
-
-namespace {
-
-double rest_area(const ClothModel& model) {
-    const std::span<const float> areas = model.rest_area.span();
-    return std::accumulate(areas.begin(), areas.end(), 0.0);
-}
-
-}  // namespace
 
 MultilevelSolver::MultilevelSolver(const ClothModel& model, const ClothSettings& settings,
                                    std::span<const Vec4> positions, SavedLevels* saved)
