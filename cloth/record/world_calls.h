@@ -41,7 +41,7 @@ struct WEFT_LOCAL World::Impl {
                                     ? ": another thread takes a step of the World; make its calls one after "
                                       "the other"
                                     : ": a step was begun, and has to end first; call end_step";
-        return Error{ErrorCode::invalid_argument, call + std::string(why)};
+        return Error{ErrorCode::invalid_argument, std::string(call) + why};
     }
     [[nodiscard]] Result<void> refuse_in_step(const char* call) const { return refuse_in(phase, call); }
     /// For calls that are allowed in a step that was begun, but not beside step().

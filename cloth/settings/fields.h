@@ -1,14 +1,15 @@
 #pragma once
-// Fields of the structs that a host sets and reads, by name: for recording, replaying, describing, and for C.
-// A struct with a new field does not compile until the field has its line: here, or in
-// tests/embedding/c/fields_test.cpp, which counts the fields of for_both(). Then raise recording_version.
+// Fields of the structs that a host sets and reads, with the ranges that their headers state
+// (engine/fields.h). A struct with a new field does not compile in tests/embedding/c/fields_test.cpp until
+// the field has its line here. Then raise recording_version.
 
-#include <concepts>
-#include <type_traits>
-#include <variant>
+#include <limits>
 
+#include "cloth/mesh/cook.h"
+#include "cloth/mesh/coordinates.h"
+#include "collision/shapes/collider_fields.h"
+#include "engine/fields.h"
 #include "weft/body.h"
-#include "weft/collider.h"
 #include "weft/report.h"
 #include "weft/seam.h"
 #include "weft/settings.h"
@@ -18,364 +19,278 @@
 
 namespace weft {
 
-/// The struct whose fields T has: itself, or another one, as for the structs for C.
-template <class T>
-struct StandsFor : std::type_identity<T> {};
-template <class T, class Of>
-concept FieldsOf = std::same_as<typename StandsFor<std::remove_const_t<T>>::type, Of>;
+// No step overflows, even with all settings at their ends: a force of 1e9 N/m on the lightest particle leaves
+// squares of its acceleration within single precision.
+inline constexpr float most_stiffness = 1e9f;  // [N/m]
+inline constexpr float most_iterations = 100000;
+inline constexpr Range runaway_range{-runaway_distance, runaway_distance};
+inline constexpr Range air_size_range{1e-3f, 1e5f};  // [m]
 
-// for_both(a, b, way) calls way(name, a.field, b.field) for each field of two structs with the same fields.
-// for_each_field(of, visit) calls visit(name, value) for each field of one.
-
-/// Calls visit(name, value) for each pair.
-template <class Visit>
-void visit_each(const Visit& /*visit*/) {}
-template <class Visit, class Value, class... Rest>
-void visit_each(const Visit& visit, const char* name, Value& value, Rest&&... rest) {
-    visit(name, value);
-    visit_each(visit, rest...);
-}
-
-template <FieldsOf<Fabric> A, FieldsOf<Fabric> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("areal_density", a.areal_density, b.areal_density);
-    way("warp", a.warp, b.warp);
-    way("weft", a.weft, b.weft);
-    way("shear", a.shear, b.shear);
-    way("bending", a.bending, b.bending);
-    way("bending_ratio", a.bending_ratio, b.bending_ratio);
-    way("damping", a.damping, b.damping);
-    way("stiffening", a.stiffening, b.stiffening);
+WEFT_FIELDS_OF(Fabric) {
+    WEFT_FIELD(areal_density, 1e-4f, 1e4f);
+    WEFT_FIELD(warp, 0, most_stiffness);
+    WEFT_FIELD(weft, 0, most_stiffness);
+    WEFT_FIELD(shear, 0, most_stiffness);
+    WEFT_FIELD(bending, 0, 1e4f);
+    WEFT_FIELD(bending_ratio, least_bending_ratio, greatest_bending_ratio);
+    WEFT_FIELD(damping, 0, 100);
+    WEFT_FIELD(stiffening, 0, 1000);
 }
 
-template <FieldsOf<FiniteElements> A, FieldsOf<FiniteElements> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("enabled", a.enabled, b.enabled);
-    way("poisson", a.poisson, b.poisson);
-    way("dihedral", a.dihedral, b.dihedral);
-    way("consistent_mass", a.consistent_mass, b.consistent_mass);
+WEFT_FIELDS_OF(FiniteElements) {
+    WEFT_FIELD(enabled);
+    WEFT_FIELD(poisson, 0, 0.5f, Ends::open_above);
+    WEFT_FIELD(dihedral);
+    WEFT_FIELD(consistent_mass);
 }
 
-template <FieldsOf<Tethers> A, FieldsOf<Tethers> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("enabled", a.enabled, b.enabled);
-    way("slack", a.slack, b.slack);
+WEFT_FIELDS_OF(Tethers) {
+    WEFT_FIELD(enabled);
+    WEFT_FIELD(slack, 1, 1e3f);
 }
 
-template <FieldsOf<FrameInertia> A, FieldsOf<FrameInertia> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("linear", a.linear, b.linear);
-    way("angular", a.angular, b.angular);
-    way("centrifugal", a.centrifugal, b.centrifugal);
+WEFT_FIELDS_OF(FrameInertia) {
+    WEFT_FIELD(linear, 0, 1);
+    WEFT_FIELD(angular, 0, 1);
+    WEFT_FIELD(centrifugal, 0, 1);
 }
 
-template <FieldsOf<SelfCollision> A, FieldsOf<SelfCollision> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("method", a.method, b.method);
-    way("distance", a.distance, b.distance);
-    way("friction", a.friction, b.friction);
-    way("restitution", a.restitution, b.restitution);
-    way("layers", a.layers, b.layers);
-    way("mask", a.mask, b.mask);
+WEFT_FIELDS_OF(SelfCollision) {
+    WEFT_FIELD(method);
+    WEFT_FIELD(distance, 1e-6f, 10, Ends::or_zero);
+    WEFT_FIELD(friction, 0, 1000);
+    WEFT_FIELD(restitution, 0, 1);
+    WEFT_FIELD(layers);
+    WEFT_FIELD(mask);
 }
 
-template <FieldsOf<Jacobi> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [iterations, exact_mean_motion] = of;
-    visit_each(visit, "iterations", iterations, "exact_mean_motion", exact_mean_motion);
+WEFT_FIELDS_OF(Jacobi) {
+    WEFT_FIELD(iterations, 0, most_iterations);
+    WEFT_FIELD(exact_mean_motion);
 }
-template <FieldsOf<Chebyshev> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [iterations, exact_mean_motion] = of;
-    visit_each(visit, "iterations", iterations, "exact_mean_motion", exact_mean_motion);
+WEFT_FIELDS_OF(Chebyshev) {
+    WEFT_FIELD(iterations, 1, most_iterations);
+    WEFT_FIELD(exact_mean_motion);
 }
-template <FieldsOf<ConjugateGradient> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [iterations] = of;
-    visit_each(visit, "iterations", iterations);
+WEFT_FIELDS_OF(ConjugateGradient) {
+    WEFT_FIELD(iterations, 1, most_iterations);
 }
-template <FieldsOf<Multilevel> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [passes, tolerance] = of;
-    visit_each(visit, "passes", passes, "tolerance", tolerance);
+WEFT_FIELDS_OF(Multilevel) {
+    WEFT_FIELD(passes, 1, most_iterations);
+    WEFT_FIELD(tolerance, 0, 1e9f);
 }
-template <FieldsOf<Xpbd> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [iterations] = of;
-    visit_each(visit, "iterations", iterations);
+WEFT_FIELDS_OF(Xpbd) {
+    WEFT_FIELD(iterations, 1, most_iterations);
 }
-template <FieldsOf<Fibres> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [iterations, vertical, horizontal, shear] = of;
-    visit_each(visit, "iterations", iterations, "vertical", vertical, "horizontal", horizontal, "shear",
-               shear);
+WEFT_FIELDS_OF(Fibres) {
+    WEFT_FIELD(iterations, 1, most_iterations);
+    WEFT_FIELD(vertical);
+    WEFT_FIELD(horizontal);
+    WEFT_FIELD(shear);
 }
-template <FieldsOf<SymplecticEuler> T, class Visit>
-void for_each_field(T& /*of*/, const Visit& /*visit*/) {}
+WEFT_FIELDS_OF(SymplecticEuler) {}
 
-template <FieldsOf<Filling> A, FieldsOf<Filling> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("kind", a.kind, b.kind);
-    way("pressure", a.pressure, b.pressure);
-    way("volume", a.volume, b.volume);
-    way("outside", a.outside, b.outside);
+WEFT_FIELDS_OF(Filling) {
+    WEFT_FIELD(kind);
+    WEFT_FIELD(pressure, -1e5f, 1e7f);
+    WEFT_FIELD(volume, 1e-12f, 1e9f, Ends::or_zero);
+    WEFT_FIELD(outside, 0, 1e7f);
 }
-template <FieldsOf<FillingInfo> A, FieldsOf<FillingInfo> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("open_edges", a.open_edges, b.open_edges);
-    way("volume", a.volume, b.volume);
-    way("rest_volume", a.rest_volume, b.rest_volume);
-    way("pressure", a.pressure, b.pressure);
+WEFT_FIELDS_OF(FillingInfo) {
+    WEFT_FIELD(open_edges);
+    WEFT_FIELD(volume);
+    WEFT_FIELD(rest_volume);
+    WEFT_FIELD(pressure);
 }
 
-template <FieldsOf<ClothSettings> A, FieldsOf<ClothSettings> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("fabric", a.fabric, b.fabric);
-    way("finite_elements", a.finite_elements, b.finite_elements);
-    way("method", a.method, b.method);
-    way("time_scheme", a.time_scheme, b.time_scheme);
-    way("substeps", a.substeps, b.substeps);
-    way("tethers", a.tethers, b.tethers);
-    way("self_collision", a.self_collision, b.self_collision);
-    way("air_damping", a.air_damping, b.air_damping);
-    way("thickness", a.thickness, b.thickness);
-    way("friction", a.friction, b.friction);
-    way("back_friction_ratio", a.back_friction_ratio, b.back_friction_ratio);
-    way("restitution", a.restitution, b.restitution);
-    way("collider_mask", a.collider_mask, b.collider_mask);
-    way("collider_response", a.collider_response, b.collider_response);
-    way("enabled", a.enabled, b.enabled);
-    way("sleep_speed", a.sleep_speed, b.sleep_speed);
-    way("frame_inertia", a.frame_inertia, b.frame_inertia);
-    way("importance", a.importance, b.importance);
-    way("teleport_distance", a.teleport_distance, b.teleport_distance);
-    way("teleport_angle", a.teleport_angle, b.teleport_angle);
-    way("gravity_scale", a.gravity_scale, b.gravity_scale);
-    way("wind_scale", a.wind_scale, b.wind_scale);
-    way("filling", a.filling, b.filling);
-    way("key", a.key, b.key);
+WEFT_FIELDS_OF(ClothSettings) {
+    WEFT_FIELD(fabric);
+    WEFT_FIELD(finite_elements);
+    WEFT_FIELD(method);
+    WEFT_FIELD(time_scheme);
+    WEFT_FIELD(substeps, 1, 1024);
+    WEFT_FIELD(tethers);
+    WEFT_FIELD(self_collision);
+    WEFT_FIELD(air_damping, 0, 1e6f);
+    WEFT_FIELD(thickness, 0, 10);
+    WEFT_FIELD(friction, 0, 1e3f);
+    WEFT_FIELD(back_friction_ratio, 0, 1e3f);
+    WEFT_FIELD(restitution, 0, 1);
+    WEFT_FIELD(collider_mask);
+    WEFT_FIELD(collider_response);
+    WEFT_FIELD(enabled);
+    WEFT_FIELD(sleep_speed, 0, 1e3f);
+    WEFT_FIELD(frame_inertia);
+    WEFT_FIELD(importance, 0, 1e6f);
+    WEFT_FIELD(teleport_distance, 0, 1e6f);
+    WEFT_FIELD(teleport_angle, 0, 3.2f);
+    WEFT_FIELD(gravity_scale, -10, 10);
+    WEFT_FIELD(wind_scale, 0, 10);
+    WEFT_FIELD(filling);
+    WEFT_FIELD(key);
 }
 
-template <FieldsOf<AirSource> A, FieldsOf<AirSource> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("kind", a.kind, b.kind);
-    way("position", a.position, b.position);
-    way("velocity", a.velocity, b.velocity);
-    way("radius", a.radius, b.radius);
+WEFT_FIELDS_OF(AirSource) {
+    WEFT_FIELD(kind);
+    WEFT_FIELD(position, runaway_range);
+    WEFT_FIELD(velocity, -1e3f, 1e3f);
+    WEFT_FIELD(radius, air_size_range);
 }
 
-template <FieldsOf<AirShelter> A, FieldsOf<AirShelter> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("kind", a.kind, b.kind);
-    way("position", a.position, b.position);
-    way("rotation", a.rotation, b.rotation);
-    way("half_extents", a.half_extents, b.half_extents);
-    way("radius", a.radius, b.radius);
-    way("border", a.border, b.border);
-    way("exposure", a.exposure, b.exposure);
+constexpr bool counts(const AirSource& source, const void* field) {
+    return source.kind != AirSourceKind::none || field == &source.kind;
 }
 
-template <FieldsOf<Wind> A, FieldsOf<Wind> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("velocity", a.velocity, b.velocity);
-    way("gust", a.gust, b.gust);
-    way("gust_length", a.gust_length, b.gust_length);
-    way("air_density", a.air_density, b.air_density);
-    way("drag", a.drag, b.drag);
-    way("lift", a.lift, b.lift);
-    way("seed", a.seed, b.seed);
-    way("sources", a.sources, b.sources);
-    way("shelters", a.shelters, b.shelters);
+WEFT_FIELDS_OF(AirShelter) {
+    WEFT_FIELD(kind);
+    WEFT_FIELD(position, runaway_range);
+    WEFT_FIELD(rotation);
+    WEFT_FIELD(half_extents, air_size_range);
+    WEFT_FIELD(radius, air_size_range);
+    WEFT_FIELD(border, air_size_range);
+    WEFT_FIELD(exposure, 0, 1);
+}
+constexpr bool counts(const AirShelter& shelter, const void* field) {
+    if (shelter.kind == AirShelterKind::ball)
+        return field != &shelter.half_extents && field != &shelter.rotation;
+    if (shelter.kind == AirShelterKind::box) return field != &shelter.radius;
+    return field == &shelter.kind;
+}
+
+WEFT_FIELDS_OF(Wind) {
+    WEFT_FIELD(velocity, -1e3f, 1e3f);
+    WEFT_FIELD(gust, 0, 100);
+    WEFT_FIELD(gust_length, 1e-3f, 1e5f);
+    WEFT_FIELD(air_density, 0, 1e4f);
+    WEFT_FIELD(drag, 0, 1e3f);
+    WEFT_FIELD(lift, 0, 1e3f);
+    WEFT_FIELD(seed);
+    WEFT_FIELD(sources);
+    WEFT_FIELD(shelters);
 }
 
 /// Leaves out the executor, which is the host's.
-template <FieldsOf<WorldSettings> A, FieldsOf<WorldSettings> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("gravity", a.gravity, b.gravity);
-    way("wind", a.wind, b.wind);
-    way("max_speed", a.max_speed, b.max_speed);
-    way("substeps", a.substeps, b.substeps);
-    way("contact_reports", a.contact_reports, b.contact_reports);
-    way("threads", a.threads, b.threads);
-    way("budget", a.budget, b.budget);
+WEFT_FIELDS_OF(WorldSettings) {
+    WEFT_FIELD(gravity, -1e4f, 1e4f);
+    WEFT_FIELD(wind);
+    WEFT_FIELD(max_speed, 1e-3f, 1e4f);
+    WEFT_FIELD(substeps, 1, 256);
+    WEFT_FIELD(contact_reports, 0, 1 << 20);
+    WEFT_FIELD(threads, 0, 256);
+    WEFT_FIELD(budget, 0, 1e3f);
 }
 
-template <FieldsOf<Sphere> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [center, radius] = of;
-    visit_each(visit, "center", center, "radius", radius);
+WEFT_FIELDS_OF(BodySettings) {
+    WEFT_FIELD(mass, 1e-6f, 1e9f, Ends::or_zero, "0, or from 1e-6 to 1e9 kg");
+    WEFT_FIELD(inertia, 1e-12f, 1e12f, Ends::or_zero, "0, or from 1e-12 to 1e12 kg m^2, about each axis");
+    WEFT_FIELD(gravity_scale, -1000, 1000);
+    WEFT_FIELD(damping, 0, 1e6f, Ends::closed, "from 0 to 1e6 1/s");
+    WEFT_FIELD(angular_damping, 0, 1e6f, Ends::closed, "from 0 to 1e6 1/s");
 }
-template <FieldsOf<Capsule> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [a, b, radius] = of;
-    visit_each(visit, "a", a, "b", b, "radius", radius);
+WEFT_FIELDS_OF(BodyState) {
+    WEFT_FIELD(position, -runaway_distance, runaway_distance, Ends::closed,
+               "finite and within 100000 m of the origin");
+    WEFT_FIELD(rotation);
+    WEFT_FIELD(velocity, -1e4f, 1e4f, Ends::closed, "up to 1e4 m/s on each axis");
+    WEFT_FIELD(angular_velocity, -1e4f, 1e4f, Ends::closed, "up to 1e4 rad/s about each axis");
 }
-template <FieldsOf<TaperedCapsule> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [a, b, radius_a, radius_b] = of;
-    visit_each(visit, "a", a, "b", b, "radius_a", radius_a, "radius_b", radius_b);
-}
-template <FieldsOf<Box> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [center, rotation, half_extents] = of;
-    visit_each(visit, "center", center, "rotation", rotation, "half_extents", half_extents);
-}
-template <FieldsOf<Plane> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [normal, offset] = of;
-    visit_each(visit, "normal", normal, "offset", offset);
-}
-template <FieldsOf<PlacedShape> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [shape, position, rotation] = of;
-    visit_each(visit, "shape", shape, "position", position, "rotation", rotation);
+WEFT_FIELDS_OF(Transform) {
+    WEFT_FIELD(translation);
+    WEFT_FIELD(rotation);
 }
 
-template <FieldsOf<Collider> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [shape, friction, thickness, restitution, layers, is_trigger] = of;
-    visit_each(visit, "shape", shape, "friction", friction, "thickness", thickness, "restitution",
-               restitution, "layers", layers, "is_trigger", is_trigger);
+WEFT_FIELDS_OF(ClothReport) {
+    WEFT_FIELD(flags);
+    WEFT_FIELD(enabled);
+    WEFT_FIELD(asleep);
+    WEFT_FIELD(particles);
+    WEFT_FIELD(collider_contacts);
+    WEFT_FIELD(self_contacts);
+    WEFT_FIELD(peak_self_contacts);
+    WEFT_FIELD(truncated_particles);
+    WEFT_FIELD(crossings);
+    WEFT_FIELD(unresolved_pairs);
+    WEFT_FIELD(pin_lag);
+    WEFT_FIELD(limits_exceeded);
+    WEFT_FIELD(limit_lag);
+    WEFT_FIELD(peak_speed);
+    WEFT_FIELD(residual);
+    WEFT_FIELD(rung);
+    WEFT_FIELD(rate);
+    WEFT_FIELD(milliseconds);
+}
+WEFT_FIELDS_OF(StepReport) {
+    WEFT_FIELD(flags);
+    WEFT_FIELD(step);
+    WEFT_FIELD(substeps);
+    WEFT_FIELD(cloths);
+    WEFT_FIELD(sleeping_cloths);
+    WEFT_FIELD(reduced_cloths);
+    WEFT_FIELD(particles);
+    WEFT_FIELD(collider_contacts);
+    WEFT_FIELD(self_contacts);
+    WEFT_FIELD(contacts);
+    WEFT_FIELD(peak_self_contacts);
+    WEFT_FIELD(truncated_particles);
+    WEFT_FIELD(pin_lag);
+    WEFT_FIELD(limits_exceeded);
+    WEFT_FIELD(limit_lag);
+    WEFT_FIELD(crossings);
+    WEFT_FIELD(unresolved_pairs);
+    WEFT_FIELD(restored_cloths);
+    WEFT_FIELD(peak_speed);
+    WEFT_FIELD(residual);
+    WEFT_FIELD(milliseconds);
+    WEFT_FIELD(broken_stitches);
 }
 
-template <FieldsOf<BodySettings> A, FieldsOf<BodySettings> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("mass", a.mass, b.mass);
-    way("inertia", a.inertia, b.inertia);
-    way("gravity_scale", a.gravity_scale, b.gravity_scale);
-    way("damping", a.damping, b.damping);
-    way("angular_damping", a.angular_damping, b.angular_damping);
+WEFT_FIELDS_OF(SeamSettings) {
+    WEFT_FIELD(rest_length, 0, 10, Ends::closed, "from 0 to 10 m");
+    WEFT_FIELD(break_force, std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::infinity(),
+               Ends::closed, "above 0 N; infinity, if it never breaks");
+    WEFT_FIELD(stiffness, 1e-3f, 1e7f, Ends::or_zero, "0, or from 1e-3 to 1e7 N/m");
 }
-template <FieldsOf<BodyState> A, FieldsOf<BodyState> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("position", a.position, b.position);
-    way("rotation", a.rotation, b.rotation);
-    way("velocity", a.velocity, b.velocity);
-    way("angular_velocity", a.angular_velocity, b.angular_velocity);
-}
-template <FieldsOf<Transform> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [translation, rotation] = of;
-    visit_each(visit, "translation", translation, "rotation", rotation);
+WEFT_FIELDS_OF(SeamInfo) {
+    WEFT_FIELD(a);
+    WEFT_FIELD(b);
+    WEFT_FIELD(stitches);
+    WEFT_FIELD(holding);
+    WEFT_FIELD(force);
+    WEFT_FIELD(tightest);
 }
 
-template <FieldsOf<ClothReport> A, FieldsOf<ClothReport> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("flags", a.flags, b.flags);
-    way("enabled", a.enabled, b.enabled);
-    way("asleep", a.asleep, b.asleep);
-    way("particles", a.particles, b.particles);
-    way("collider_contacts", a.collider_contacts, b.collider_contacts);
-    way("self_contacts", a.self_contacts, b.self_contacts);
-    way("peak_self_contacts", a.peak_self_contacts, b.peak_self_contacts);
-    way("truncated_particles", a.truncated_particles, b.truncated_particles);
-    way("crossings", a.crossings, b.crossings);
-    way("unresolved_pairs", a.unresolved_pairs, b.unresolved_pairs);
-    way("pin_lag", a.pin_lag, b.pin_lag);
-    way("limits_exceeded", a.limits_exceeded, b.limits_exceeded);
-    way("limit_lag", a.limit_lag, b.limit_lag);
-    way("peak_speed", a.peak_speed, b.peak_speed);
-    way("residual", a.residual, b.residual);
-    way("rung", a.rung, b.rung);
-    way("rate", a.rate, b.rate);
-    way("milliseconds", a.milliseconds, b.milliseconds);
+WEFT_FIELDS_OF(ClothInfo) {
+    WEFT_FIELD(vertices);
+    WEFT_FIELD(particles);
+    WEFT_FIELD(welded_vertices);
+    WEFT_FIELD(triangles);
+    WEFT_FIELD(components);
+    WEFT_FIELD(structural_springs);
+    WEFT_FIELD(shear_springs);
+    WEFT_FIELD(bending_elements);
+    WEFT_FIELD(border_edges);
+    WEFT_FIELD(dropped_triangles);
+    WEFT_FIELD(turned_triangles);
+    WEFT_FIELD(flipped_triangles);
+    WEFT_FIELD(softened_triangles);
+    WEFT_FIELD(misoriented_edges);
+    WEFT_FIELD(loose_particles);
+    WEFT_FIELD(mean_edge);
+    WEFT_FIELD(mass);
+    WEFT_FIELD(least_bending);
+    WEFT_FIELD(bytes);
+    WEFT_FIELD(shared_bytes);
+    WEFT_FIELD(scratch_bytes);
 }
-template <FieldsOf<StepReport> A, FieldsOf<StepReport> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("flags", a.flags, b.flags);
-    way("step", a.step, b.step);
-    way("substeps", a.substeps, b.substeps);
-    way("cloths", a.cloths, b.cloths);
-    way("sleeping_cloths", a.sleeping_cloths, b.sleeping_cloths);
-    way("reduced_cloths", a.reduced_cloths, b.reduced_cloths);
-    way("particles", a.particles, b.particles);
-    way("collider_contacts", a.collider_contacts, b.collider_contacts);
-    way("self_contacts", a.self_contacts, b.self_contacts);
-    way("contacts", a.contacts, b.contacts);
-    way("peak_self_contacts", a.peak_self_contacts, b.peak_self_contacts);
-    way("truncated_particles", a.truncated_particles, b.truncated_particles);
-    way("pin_lag", a.pin_lag, b.pin_lag);
-    way("limits_exceeded", a.limits_exceeded, b.limits_exceeded);
-    way("limit_lag", a.limit_lag, b.limit_lag);
-    way("crossings", a.crossings, b.crossings);
-    way("unresolved_pairs", a.unresolved_pairs, b.unresolved_pairs);
-    way("restored_cloths", a.restored_cloths, b.restored_cloths);
-    way("peak_speed", a.peak_speed, b.peak_speed);
-    way("residual", a.residual, b.residual);
-    way("milliseconds", a.milliseconds, b.milliseconds);
-    way("broken_stitches", a.broken_stitches, b.broken_stitches);
+WEFT_FIELDS_OF(ShapeInfo) {
+    WEFT_FIELD(triangles);
+    WEFT_FIELD(bounds);
+    WEFT_FIELD(error);
+    WEFT_FIELD(bytes);
 }
-
-template <FieldsOf<SeamSettings> A, FieldsOf<SeamSettings> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("rest_length", a.rest_length, b.rest_length);
-    way("break_force", a.break_force, b.break_force);
-    way("stiffness", a.stiffness, b.stiffness);
+WEFT_FIELDS_OF(Bounds) {
+    WEFT_FIELD(lower);
+    WEFT_FIELD(upper);
 }
-template <FieldsOf<SeamInfo> A, FieldsOf<SeamInfo> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("a", a.a, b.a);
-    way("b", a.b, b.b);
-    way("stitches", a.stitches, b.stitches);
-    way("holding", a.holding, b.holding);
-    way("force", a.force, b.force);
-    way("tightest", a.tightest, b.tightest);
-}
-
-template <FieldsOf<ClothInfo> A, FieldsOf<ClothInfo> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("vertices", a.vertices, b.vertices);
-    way("particles", a.particles, b.particles);
-    way("welded_vertices", a.welded_vertices, b.welded_vertices);
-    way("triangles", a.triangles, b.triangles);
-    way("components", a.components, b.components);
-    way("structural_springs", a.structural_springs, b.structural_springs);
-    way("shear_springs", a.shear_springs, b.shear_springs);
-    way("bending_elements", a.bending_elements, b.bending_elements);
-    way("border_edges", a.border_edges, b.border_edges);
-    way("dropped_triangles", a.dropped_triangles, b.dropped_triangles);
-    way("turned_triangles", a.turned_triangles, b.turned_triangles);
-    way("flipped_triangles", a.flipped_triangles, b.flipped_triangles);
-    way("softened_triangles", a.softened_triangles, b.softened_triangles);
-    way("misoriented_edges", a.misoriented_edges, b.misoriented_edges);
-    way("loose_particles", a.loose_particles, b.loose_particles);
-    way("mean_edge", a.mean_edge, b.mean_edge);
-    way("mass", a.mass, b.mass);
-    way("least_bending", a.least_bending, b.least_bending);
-    way("bytes", a.bytes, b.bytes);
-    way("shared_bytes", a.shared_bytes, b.shared_bytes);
-    way("scratch_bytes", a.scratch_bytes, b.scratch_bytes);
-}
-template <FieldsOf<ShapeInfo> A, FieldsOf<ShapeInfo> B, class Way>
-constexpr void for_both(A& a, B& b, const Way& way) {
-    way("triangles", a.triangles, b.triangles);
-    way("bounds", a.bounds, b.bounds);
-    way("error", a.error, b.error);
-    way("bytes", a.bytes, b.bytes);
-}
-template <FieldsOf<Bounds> T, class Visit>
-void for_each_field(T& of, const Visit& visit) {
-    auto& [lower, upper] = of;
-    visit_each(visit, "lower", lower, "upper", upper);
-}
-
-struct AnyVisit {
-    template <class... Values>
-    void operator()(const char* /*name*/, Values&... /*values*/) const {}
-};
-template <class A, class B>
-concept HaveFields = requires(A& a, B& b) {
-    for_both(a, b, AnyVisit{});
-};
-template <class T, class Visit>
-requires HaveFields<T, T>
-void for_each_field(T& of, const Visit& visit) {
-    for_both(of, of, [&](const char* name, auto& value, auto& /*same*/) { visit(name, value); });
-}
-/// Structs that for_each_field() supports.
-template <class T>
-concept HasFields = requires(T& of) {
-    for_each_field(of, AnyVisit{});
-};
 
 }  // namespace weft

@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "cloth/settings/fields.h"
-#include "cloth/world/names.h"
+#include "cloth/settings/names.h"
 #include "weft/cloth_id.h"
 
 namespace weft {
@@ -77,7 +77,7 @@ class Outline {
         object(name, [&] {
             std::visit(
                 [&](const auto& kind) {
-                    value("kind", name_of_kind(kind));
+                    value("kind", struct_name(kind));
                     fields(kind);
                 },
                 one);

@@ -1,10 +1,7 @@
 // The public World: bodies.
 
-#include <cmath>
-
 #include "cloth/record/world_calls.h"
 #include "cloth/settings/validate.h"
-#include "engine/error_text.h"
 #include "engine/memory/without_exceptions.h"
 
 namespace weft {
@@ -12,52 +9,6 @@ namespace weft {
 BodyPose pose_of(const BodyState& state) {
     const Rotation& r = state.rotation;
     return {to_vector(state.position), Eigen::Quaternionf(r.w, r.x, r.y, r.z).normalized()};
-}
-
-namespace {
-
-// The comparison is written so that not-a-number fails.
-
-Result<void> validate_within(const char* name, float value, float least, float most,
-                             const char* requirement) {
-    if (!(value >= least && value <= most))
-        return out_of_range(name, static_cast<double>(value), requirement);
-    return {};
-}
-
-}  // namespace
-
-Result<void> validate(const BodySettings& settings) {
-    if (!(settings.mass == 0 || (settings.mass >= 1e-6f && settings.mass <= 1e9f)))
-        return out_of_range("BodySettings::mass", static_cast<double>(settings.mass),
-                            "0, or from 1e-6 to 1e9 kg");
-    for (const float inertia : {settings.inertia.x, settings.inertia.y, settings.inertia.z})
-        if (!(inertia == 0 || (inertia >= 1e-12f && inertia <= 1e12f)))
-            return out_of_range("BodySettings::inertia", settings.inertia,
-                                "0, or from 1e-12 to 1e12 kg m^2, about each axis");
-    if (auto valid = validate_within("BodySettings::gravity_scale", settings.gravity_scale, -1000, 1000,
-                                     "from -1000 to 1000");
-        !valid)
-        return valid;
-    if (auto valid = validate_within("BodySettings::damping", settings.damping, 0, 1e6f, "from 0 to 1e6 1/s");
-        !valid)
-        return valid;
-    return validate_within("BodySettings::angular_damping", settings.angular_damping, 0, 1e6f,
-                           "from 0 to 1e6 1/s");
-}
-
-Result<void> validate(const BodyState& state) {
-    if (auto valid = validate_point("BodyState::position", state.position); !valid) return valid;
-    if (auto valid = validate_rotation("BodyState::rotation", state.rotation); !valid) return valid;
-    const auto is_slow = [](const Vec3& v) {
-        return std::abs(v.x) <= 1e4f && std::abs(v.y) <= 1e4f && std::abs(v.z) <= 1e4f;
-    };
-    if (!is_slow(state.velocity))
-        return out_of_range("BodyState::velocity", state.velocity, "up to 1e4 m/s on each axis");
-    if (!is_slow(state.angular_velocity))
-        return out_of_range("BodyState::angular_velocity", state.angular_velocity,
-                            "up to 1e4 rad/s about each axis");
-    return {};
 }
 
 namespace {

@@ -1,34 +1,17 @@
 // The public World: seams.
 
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "cloth/record/world_calls.h"
+#include "cloth/settings/fields.h"
 #include "cloth/settings/validate.h"
-#include "cloth/world/names.h"
-#include "engine/error_text.h"
 
 namespace weft {
 
-// The comparisons are written so that not-a-number fails.
-
-Result<void> validate(const SeamSettings& settings) {
-    if (!(settings.rest_length >= 0 && settings.rest_length <= 10))
-        return out_of_range("SeamSettings::rest_length", static_cast<double>(settings.rest_length),
-                            "from 0 to 10 m");
-    if (!(settings.break_force > 0))
-        return out_of_range("SeamSettings::break_force", static_cast<double>(settings.break_force),
-                            "above 0 N; infinity, if it never breaks");
-    if (!(settings.stiffness == 0 || (settings.stiffness >= 1e-3f && settings.stiffness <= 1e7f)))
-        return out_of_range("SeamSettings::stiffness", static_cast<double>(settings.stiffness),
-                            "0, or from 1e-3 to 1e7 N/m");
-    return {};
-}
-
 Result<void> validate_for_seams(const ClothSettings& settings) {
     const char* const method =
-        std::visit([](const auto& kind) { return name_of_kind(kind); }, settings.method);
+        std::visit([](const auto& kind) { return struct_name(kind); }, settings.method);
     if (!std::holds_alternative<Multilevel>(settings.method))
         return Error{ErrorCode::invalid_argument,
                      std::string("the method ") + method +

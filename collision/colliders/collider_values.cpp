@@ -5,73 +5,14 @@
 
 #include <Eigen/Geometry>
 
+#include "collision/shapes/collider_fields.h"
 #include "collision/shapes/collider_motion.h"
+#include "collision/shapes/field_checks.h"
 #include "collision/shapes/moving_shapes.h"
-#include "collision/shapes/ranges.h"
-#include "engine/error_text.h"
 
 namespace weft {
 
 namespace {
-
-constexpr float least_radius = 1e-6f, least_normal = 1e-12f, longest_normal = 1e12f, most_friction = 1e6f,
-                most_thickness = 10;
-
-// Comparisons are written so that a value that is not a number fails.
-
-Result<void> validate_point(const char* name, const Vec3& point) {
-    const auto is_near = [](float coordinate) { return std::abs(coordinate) <= farthest; };
-    if (!(is_near(point.x) && is_near(point.y) && is_near(point.z)))
-        return out_of_range(name, point, "from -1e5 to 1e5 m on each axis");
-    return {};
-}
-
-Result<void> validate_radius(const char* name, float radius) {
-    if (!(radius >= least_radius && radius <= farthest))
-        return out_of_range(name, static_cast<double>(radius), "from 1e-6 to 1e5 m");
-    return {};
-}
-
-Result<void> validate_shape(const Sphere& sphere) {
-    if (auto center = validate_point("Sphere::center", sphere.center); !center) return center;
-    return validate_radius("Sphere::radius", sphere.radius);
-}
-
-Result<void> validate_shape(const Capsule& capsule) {
-    if (auto a = validate_point("Capsule::a", capsule.a); !a) return a;
-    if (auto b = validate_point("Capsule::b", capsule.b); !b) return b;
-    return validate_radius("Capsule::radius", capsule.radius);
-}
-
-Result<void> validate_shape(const Plane& plane) {
-    const float length = to_vector(plane.normal).stableNorm();
-    if (!(is_finite(plane.normal) && length >= least_normal && length <= longest_normal))
-        return out_of_range("Plane::normal", plane.normal, "finite and of a length from 1e-12 to 1e12");
-    if (!(std::abs(plane.offset) <= farthest))
-        return out_of_range("Plane::offset", static_cast<double>(plane.offset), "from -1e5 to 1e5 m");
-    return {};
-}
-
-Result<void> validate_shape(const TaperedCapsule& capsule) {
-    if (auto a = validate_point("TaperedCapsule::a", capsule.a); !a) return a;
-    if (auto b = validate_point("TaperedCapsule::b", capsule.b); !b) return b;
-    if (auto radius = validate_radius("TaperedCapsule::radius_a", capsule.radius_a); !radius) return radius;
-    return validate_radius("TaperedCapsule::radius_b", capsule.radius_b);
-}
-
-Result<void> validate_shape(const Box& box) {
-    if (auto center = validate_point("Box::center", box.center); !center) return center;
-    if (auto turn = validate_rotation("Box::rotation", box.rotation); !turn) return turn;
-    for (const float half : {box.half_extents.x, box.half_extents.y, box.half_extents.z})
-        if (!(half >= least_radius && half <= farthest))
-            return out_of_range("Box::half_extents", box.half_extents, "from 1e-6 to 1e5 m on each axis");
-    return {};
-}
-
-Result<void> validate_shape(const PlacedShape& placed) {
-    if (auto at = validate_point("PlacedShape::position", placed.position); !at) return at;
-    return validate_rotation("PlacedShape::rotation", placed.rotation);
-}
 
 float blend(float from, float to, float t) {
     return from + t * (to - from);
@@ -141,14 +82,14 @@ Collider normalized(Collider collider) {
 }
 
 Result<void> validate(const Collider& collider) {
-    if (!(collider.friction >= 0 && collider.friction <= most_friction))
-        return out_of_range("Collider::friction", static_cast<double>(collider.friction), "from 0 to 1e6");
-    if (!(collider.thickness >= 0 && collider.thickness <= most_thickness))
-        return out_of_range("Collider::thickness", static_cast<double>(collider.thickness), "from 0 to 10 m");
-    if (!(collider.restitution >= 0 && collider.restitution <= 1))
-        return out_of_range("Collider::restitution", static_cast<double>(collider.restitution),
-                            "from 0 to 1");
-    return std::visit([](const auto& shape) { return validate_shape(shape); }, collider.shape);
+    if (auto valid = validate_fields(collider); !valid) return valid;
+    const auto* const plane = std::get_if<Plane>(&collider.shape);
+    if (plane == nullptr) return {};
+    // The comparison is written so that a length that is not a number fails.
+    const float length = to_vector(plane->normal).stableNorm();
+    if (!(length >= 1e-12f && length <= 1e12f))
+        return out_of_range("Plane::normal", plane->normal, normal_range.right);
+    return {};
 }
 
 Collider blend(const Collider& from, const Collider& to, float t) {

@@ -46,7 +46,7 @@ Result<HeldShape::Data> make_data(const HeightField& field) {
     if (!(field.spacing >= 1e-4f && field.spacing <= 1e4f))
         return out_of_range("HeightField::spacing", static_cast<double>(field.spacing), "from 1e-4 to 1e4 m");
     for (std::size_t k = 0; k < vertices; ++k)
-        if (!(std::abs(field.heights[k]) <= farthest))
+        if (!(std::abs(field.heights[k]) <= farthest_collider))
             return out_of_range("HeightField::heights[" + std::to_string(k) + "]",
                                 static_cast<double>(field.heights[k]), "from -1e5 to 1e5 m");
     return HeldShape::Data(
@@ -90,7 +90,7 @@ Result<HeldShape::Data> make_data(const DistanceField& field) {
     const auto mesh = HeldShape::make(field.mesh);
     if (!mesh) return mesh.error();
     const float longest = mesh->box().sizes().maxCoeff();
-    if (!(field.cell >= longest / 512 && field.cell <= farthest))
+    if (!(field.cell >= longest / 512 && field.cell <= farthest_collider))
         return out_of_range("DistanceField::cell", static_cast<double>(field.cell),
                             "from a 512th of the mesh's longest side, " +
                                 number_text(static_cast<double>(longest / 512)) + " m, to 1e5 m");
@@ -296,7 +296,7 @@ void HeldShape::find_box() {
         const auto [least, most] = std::ranges::minmax(ground->heights);
         const Vector3 far = ground->vertex(ground->rows - 1, ground->columns - 1);
         // The ground is solid at any depth.
-        box_ = {Vector3(0, std::min(least, -farthest), 0), Vector3(far.x(), most, far.z())};
+        box_ = {Vector3(0, std::min(least, -farthest_collider), 0), Vector3(far.x(), most, far.z())};
     } else {
         const auto& field = std::get<HeldDistances>(data_);
         const Vector3 cells(static_cast<float>(field.corners[0] - 1),

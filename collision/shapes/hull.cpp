@@ -108,7 +108,7 @@ Result<HullMesh> hull_of(std::span<const Vec3> points) {
                                                       "; it must have from 4 to 2^16"};
     Eigen::AlignedBox3f box;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        if (!is_finite(points[p]) || !(to_vector(points[p]).cwiseAbs().maxCoeff() <= farthest))
+        if (!is_finite(points[p]) || !(to_vector(points[p]).cwiseAbs().maxCoeff() <= farthest_collider))
             return out_of_range("ConvexHull::points[" + std::to_string(p) + "]", points[p],
                                 "from -1e5 to 1e5 m on each axis");
         box.extend(to_vector(points[p]));

@@ -3,6 +3,6 @@
 namespace weft {
 
 /// Greatest coordinate and greatest size of colliders [m].
-inline constexpr float farthest = 1e5f;
+inline constexpr float farthest_collider = 1e5f;
 
 }  // namespace weft

@@ -23,7 +23,7 @@ Error invalid(const char* name, const std::string& rest) {
 
 Result<void> validate_vertices(const char* name, std::span<const Vec3> vertices) {
     for (std::size_t v = 0; v < vertices.size(); ++v)
-        if (!(to_vector(vertices[v]).cwiseAbs().maxCoeff() <= farthest) || !is_finite(vertices[v]))
+        if (!(to_vector(vertices[v]).cwiseAbs().maxCoeff() <= farthest_collider) || !is_finite(vertices[v]))
             return out_of_range(name + std::string("::vertices[") + std::to_string(v) + "]", vertices[v],
                                 "from -1e5 to 1e5 m on each axis");
     return {};

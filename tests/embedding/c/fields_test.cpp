@@ -18,64 +18,38 @@ namespace weft::c {
 namespace {
 
 template <class T>
-constexpr int lines_of() {
+constexpr std::size_t lines_of() {
     T of{};
-    int lines = 0;
-    for_both(of, of, [&](const char* /*name*/, auto&, auto&) { ++lines; });
+    std::size_t lines = 0;
+    for_both(of, of, [&](const char* /*name*/, auto&, auto&, const auto&... /*range*/) { ++lines; });
     return lines;
 }
-// A struct of for_both() that gets another field does not compile here until it is counted there, and has its
-// line in fields.h.
-[[maybe_unused]] void count_fields(Fabric& a, FiniteElements& b, Tethers& c, FrameInertia& d,
-                                   SelfCollision& e, ClothSettings& f, AirSource& g, AirShelter& r, Wind& h,
-                                   WorldSettings& i, BodySettings& j, BodyState& k, ClothReport& l,
-                                   StepReport& m, ClothInfo& n, ShapeInfo& o, SeamSettings& p, SeamInfo& q,
-                                   Filling& s, FillingInfo& t) {
-    [[maybe_unused]] auto& [a1, a2, a3, a4, a5, a6, a7, a8] = a;
-    static_assert(lines_of<Fabric>() == 8);
-    [[maybe_unused]] auto& [b1, b2, b3, b4] = b;
-    static_assert(lines_of<FiniteElements>() == 4);
-    [[maybe_unused]] auto& [c1, c2] = c;
-    static_assert(lines_of<Tethers>() == 2);
-    [[maybe_unused]] auto& [d1, d2, d3] = d;
-    static_assert(lines_of<FrameInertia>() == 3);
-    [[maybe_unused]] auto& [e1, e2, e3, e4, e5, e6] = e;
-    static_assert(lines_of<SelfCollision>() == 6);
-    [[maybe_unused]] auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11, f12, f13, f14, f15, f16, f17, f18,
-                            f19, f20, f21, f22, f23, f24] = f;
-    static_assert(lines_of<ClothSettings>() == 24);
-    [[maybe_unused]] auto& [g1, g2, g3, g4] = g;
-    static_assert(lines_of<AirSource>() == 4);
-    [[maybe_unused]] auto& [r1, r2, r3, r4, r5, r6, r7] = r;
-    static_assert(lines_of<AirShelter>() == 7);
-    [[maybe_unused]] auto& [h1, h2, h3, h4, h5, h6, h7, h8, h9] = h;
-    static_assert(lines_of<Wind>() == 9);
-    [[maybe_unused]] auto& [i1, i2, i3, i4, i5, i6, i7, i8] = i;
-    static_assert(lines_of<WorldSettings>() == 7);  // but for the executor
-    [[maybe_unused]] auto& [j1, j2, j3, j4, j5] = j;
-    static_assert(lines_of<BodySettings>() == 5);
-    [[maybe_unused]] auto& [k1, k2, k3, k4] = k;
-    static_assert(lines_of<BodyState>() == 4);
-    [[maybe_unused]] auto& [l1, l2, l3, l4, l5, l6, l7, l8, l9, l10, l11, l12, l13, l14, l15, l16, l17, l18] =
-        l;
-    static_assert(lines_of<ClothReport>() == 18);
-    [[maybe_unused]] auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18,
-                            m19, m20, m21, m22] = m;
-    static_assert(lines_of<StepReport>() == 22);
-    [[maybe_unused]] auto& [n1, n2, n3, n4, n5, n6, n7, n8, n9, n10, n11, n12, n13, n14, n15, n16, n17, n18,
-                            n19, n20, n21] = n;
-    static_assert(lines_of<ClothInfo>() == 21);
-    [[maybe_unused]] auto& [o1, o2, o3, o4] = o;
-    static_assert(lines_of<ShapeInfo>() == 4);
-    [[maybe_unused]] auto& [p1, p2, p3] = p;
-    static_assert(lines_of<SeamSettings>() == 3);
-    [[maybe_unused]] auto& [q1, q2, q3, q4, q5, q6] = q;
-    static_assert(lines_of<SeamInfo>() == 6);
-    [[maybe_unused]] auto& [s1, s2, s3, s4] = s;
-    static_assert(lines_of<Filling>() == 4);
-    [[maybe_unused]] auto& [t1, t2, t3, t4] = t;
-    static_assert(lines_of<FillingInfo>() == 4);
+
+/// Initialises any field.
+struct Anything {
+    template <class T>
+    operator T() const;
+};
+/// Number of fields of an aggregate: so many initialisers it takes.
+template <class T, class... Fields>
+constexpr std::size_t fields_of() {
+    if constexpr (requires { T{Fields{}..., Anything{}}; })
+        return fields_of<T, Fields..., Anything>();
+    else
+        return sizeof...(Fields);
 }
+
+/// Whether each field has its line in fields.h.
+template <class... Structs>
+constexpr bool are_listed = ((lines_of<Structs>() == fields_of<Structs>()) && ...);
+static_assert(
+    are_listed<Fabric, FiniteElements, Tethers, FrameInertia, SelfCollision, Filling, ClothSettings>);
+static_assert(are_listed<Multilevel, Jacobi, Chebyshev, ConjugateGradient, Xpbd, Fibres, SymplecticEuler>);
+static_assert(are_listed<AirSource, AirShelter, Wind, BodySettings, BodyState, SeamSettings, Transform>);
+static_assert(are_listed<Sphere, Capsule, Plane, TaperedCapsule, Box, PlacedShape, Collider>);
+static_assert(are_listed<SheetSettings, DrawnMeshSettings, FixedStepSettings>);
+static_assert(are_listed<ClothReport, StepReport, ClothInfo, ShapeInfo, SeamInfo, FillingInfo, Bounds>);
+static_assert(lines_of<WorldSettings>() + 1 == fields_of<WorldSettings>(), "the executor has no line");
 
 /// Calls act(number) for each number that a value holds, in order.
 template <class T, class Act>
