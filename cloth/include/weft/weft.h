@@ -32,6 +32,7 @@
 #include "weft/hooks.h"
 #include "weft/maps.h"
 #include "weft/mesh.h"
+#include "weft/numbers.h"
 #include "weft/profile.h"
 #include "weft/query.h"
 #include "weft/recording.h"

@@ -53,6 +53,13 @@ WEFT_API void weft_fixed_step_settings_init(WeftFixedStepSettings* settings, siz
 // Sets the identity, which moves nothing.
 WEFT_API void weft_transform_init(WeftTransform* transform);
 
+// Numbers of settings with their ranges: numbers_of(). Writes the first `room` of them, and how many there
+// are.
+WEFT_API WeftResult weft_cloth_settings_numbers(WeftClothSettings* settings, WeftSettingNumber* numbers,
+                                                size_t room, size_t* count);
+WEFT_API WeftResult weft_world_settings_numbers(WeftWorldSettings* settings, WeftSettingNumber* numbers,
+                                                size_t room, size_t* count);
+
 // Fabrics by name.
 WEFT_API const WeftNamedFabric* weft_fabrics(size_t* count);
 WEFT_API WeftResult weft_fabric_named(const char* name, WeftFabric* fabric);

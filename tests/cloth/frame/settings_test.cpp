@@ -5,16 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <random>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
-#include "cloth/settings/fields.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
 
@@ -28,127 +25,38 @@ struct Settings {
     ClothSettings cloth;
 };
 
-/// A number that can be set, and the ends of its range.
-struct Knob {
-    const char* name;
-    float least, greatest;
-    std::function<float&(Settings&)> of;
-};
-
-AirShelter& shelter(Settings& s, AirShelterKind kind) {
-    s.world.wind.shelters[0].kind = kind;
-    return s.world.wind.shelters[0];
+/// All numbers of settings. Settings with_air() have those of each kind of source and shelter.
+std::vector<SettingNumber> numbers(Settings& of) {
+    std::vector<SettingNumber> all = must(numbers_of(of.world));
+    for (const SettingNumber& each : must(numbers_of(of.cloth))) all.push_back(each);
+    return all;
 }
-AirShelter& ball(Settings& s) {
-    return shelter(s, AirShelterKind::ball);
-}
-AirShelter& box(Settings& s) {
-    return shelter(s, AirShelterKind::box);
-}
-
-AirSource& jet(Settings& settings) {
-    AirSource& source = settings.world.wind.sources[0];
-    source.kind = AirSourceKind::jet;
-    return source;
-}
-
-std::vector<Knob> knobs() {
-    using S = Settings;
-    return {
-        {"Fabric::areal_density", 1e-4f, 1e4f, [](S& s) -> float& { return s.cloth.fabric.areal_density; }},
-        {"Fabric::warp", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.warp; }},
-        {"Fabric::shear", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.shear; }},
-        {"Fabric::weft", 0, 1e9f, [](S& s) -> float& { return s.cloth.fabric.weft; }},
-        {"Fabric::bending", 0, 1e4f, [](S& s) -> float& { return s.cloth.fabric.bending; }},
-        {"Fabric::bending_ratio", 0.01f, 100, [](S& s) -> float& { return s.cloth.fabric.bending_ratio; }},
-        {"Fabric::damping", 0, 100, [](S& s) -> float& { return s.cloth.fabric.damping; }},
-        // Of the default's stiffness; only what stretches honours it.
-        {"Fabric::stiffening", 0, 1000, [](S& s) -> float& { return s.cloth.fabric.stiffening; }},
-        {"Multilevel::tolerance", 0, 1e9f,
-         [](S& s) -> float& {
-             if (!std::holds_alternative<Multilevel>(s.cloth.method)) s.cloth.method = Multilevel{};
-             return std::get<Multilevel>(s.cloth.method).tolerance;
-         }},
-        {"FiniteElements::poisson", 0, 0.49f, [](S& s) -> float& { return s.cloth.finite_elements.poisson; }},
-        {"Tethers::slack", 1, 1e3f, [](S& s) -> float& { return s.cloth.tethers.slack; }},
-        {"SelfCollision::distance", 1e-6f, 10,
-         [](S& s) -> float& { return s.cloth.self_collision.distance; }},
-        {"SelfCollision::friction", 0, 1e3f, [](S& s) -> float& { return s.cloth.self_collision.friction; }},
-        {"SelfCollision::restitution", 0, 1,
-         [](S& s) -> float& {
-             s.cloth.self_collision.method = SelfCollisionMethod::impact_zones;
-             return s.cloth.self_collision.restitution;
-         }},
-        {"ClothSettings::air_damping", 0, 1e6f, [](S& s) -> float& { return s.cloth.air_damping; }},
-        {"ClothSettings::thickness", 0, 10, [](S& s) -> float& { return s.cloth.thickness; }},
-        {"ClothSettings::friction", 0, 1e3f, [](S& s) -> float& { return s.cloth.friction; }},
-        {"ClothSettings::back_friction_ratio", 0, 1e3f,
-         [](S& s) -> float& { return s.cloth.back_friction_ratio; }},
-        {"ClothSettings::restitution", 0, 1, [](S& s) -> float& { return s.cloth.restitution; }},
-        {"ClothSettings::sleep_speed", 0, 1e3f, [](S& s) -> float& { return s.cloth.sleep_speed; }},
-        {"FrameInertia::linear", 0, 1, [](S& s) -> float& { return s.cloth.frame_inertia.linear; }},
-        {"FrameInertia::angular", 0, 1, [](S& s) -> float& { return s.cloth.frame_inertia.angular; }},
-        {"FrameInertia::centrifugal", 0, 1, [](S& s) -> float& { return s.cloth.frame_inertia.centrifugal; }},
-        {"ClothSettings::importance", 0, 1e6f, [](S& s) -> float& { return s.cloth.importance; }},
-        {"ClothSettings::gravity_scale", -10, 10, [](S& s) -> float& { return s.cloth.gravity_scale; }},
-        {"ClothSettings::wind_scale", 0, 10, [](S& s) -> float& { return s.cloth.wind_scale; }},
-        {"Filling::pressure", -1e5f, 1e7f, [](S& s) -> float& { return s.cloth.filling.pressure; }},
-        {"Filling::volume", 1e-12f, 1e9f, [](S& s) -> float& { return s.cloth.filling.volume; }},
-        {"Filling::outside", 0, 1e7f, [](S& s) -> float& { return s.cloth.filling.outside; }},
-        {"ClothSettings::teleport_distance", 0, 1e6f,
-         [](S& s) -> float& { return s.cloth.teleport_distance; }},
-        {"ClothSettings::teleport_angle", 0, 3.2f, [](S& s) -> float& { return s.cloth.teleport_angle; }},
-        {"WorldSettings::gravity", -1e4f, 1e4f, [](S& s) -> float& { return s.world.gravity.y; }},
-        {"Wind::velocity", -1e3f, 1e3f, [](S& s) -> float& { return s.world.wind.velocity.z; }},
-        {"Wind::gust", 0, 100, [](S& s) -> float& { return s.world.wind.gust; }},
-        {"Wind::gust_length", 1e-3f, 1e5f, [](S& s) -> float& { return s.world.wind.gust_length; }},
-        {"Wind::air_density", 0, 1e4f, [](S& s) -> float& { return s.world.wind.air_density; }},
-        {"Wind::drag", 0, 1e3f, [](S& s) -> float& { return s.world.wind.drag; }},
-        {"Wind::lift", 0, 1e3f, [](S& s) -> float& { return s.world.wind.lift; }},
-        {"AirSource::position", -1e5f, 1e5f, [](S& s) -> float& { return jet(s).position.x; }},
-        {"AirSource::velocity", -1e3f, 1e3f, [](S& s) -> float& { return jet(s).velocity.y; }},
-        {"AirSource::radius", 1e-3f, 1e5f, [](S& s) -> float& { return jet(s).radius; }},
-        {"AirShelter::position", -1e5f, 1e5f, [](S& s) -> float& { return ball(s).position.y; }},
-        {"AirShelter::half_extents", 1e-3f, 1e5f, [](S& s) -> float& { return box(s).half_extents.z; }},
-        {"AirShelter::radius", 1e-3f, 1e5f, [](S& s) -> float& { return ball(s).radius; }},
-        {"AirShelter::border", 1e-3f, 1e5f, [](S& s) -> float& { return ball(s).border; }},
-        {"AirShelter::exposure", 0, 1, [](S& s) -> float& { return ball(s).exposure; }},
-        {"WorldSettings::max_speed", 1e-3f, 1e4f, [](S& s) -> float& { return s.world.max_speed; }},
-        {"WorldSettings::budget", 0, 1e3f, [](S& s) -> float& { return s.world.budget; }},
-    };
-}
-
-/// Calls visit(name, components) for each float of settings, and for each vector.
-template <class Fields, class Visit>
-void for_each_number(Fields& of, const Visit& visit) {
-    for_each_field(of, [&]<class T>(const char* name, T& value) {
-        if constexpr (std::is_same_v<T, float>)
-            visit(name, std::span(&value, 1));
-        else if constexpr (std::is_same_v<T, Vec3>)
-            visit(name, std::span(&value.x, 3));
-        else if constexpr (std::is_same_v<T, Method>)
-            std::visit([&](auto& method) { for_each_number(method, visit); }, value);
-        else if constexpr (HasFields<T>)
-            for_each_number(value, visit);
-        else if constexpr (std::ranges::range<T>)
-            for_each_number(value[0], visit);
-        else
-            static_assert(std::is_integral_v<T> || std::is_enum_v<T> || std::is_same_v<T, Rotation>,
-                          "a kind of setting to visit");
-    });
-}
-
-TEST(SettingRanges, EveryNumberHasAKnob) {
+Settings with_air() {
     Settings settings;
-    std::vector<const float*> turned;
-    for (const Knob& knob : knobs()) turned.push_back(&knob.of(settings));
-    const auto is_turned = [&](const char* name, std::span<float> components) {
-        EXPECT_TRUE(std::ranges::any_of(components, [&](const float& component) {
-            return std::ranges::find(turned, &component) != turned.end();
-        })) << name;
-    };
-    for_each_number(settings.world, is_turned);
-    for_each_number(settings.cloth, is_turned);
+    settings.world.wind.sources[0].kind = AirSourceKind::jet;
+    settings.world.wind.shelters[0].kind = AirShelterKind::ball;
+    settings.world.wind.shelters[1].kind = AirShelterKind::box;
+    return settings;
+}
+
+std::string name(const SettingNumber& number) {
+    return std::string(number.type) + "::" + number.field;
+}
+/// Whether it counts steps, passes or threads, which take too long at the upper end.
+bool is_whole(const SettingNumber& number) {
+    return std::holds_alternative<int*>(number.value);
+}
+void set(const SettingNumber& number, float value) {
+    if (auto* const* vector = std::get_if<Vec3*>(&number.value))
+        (*vector)->y = value;
+    else if (auto* const* whole = std::get_if<int*>(&number.value))
+        **whole = static_cast<int>(value);
+    else
+        *std::get<float*>(number.value) = value;
+}
+/// The greatest value in the range.
+float greatest(const SettingNumber& number) {
+    return number.below_greatest ? std::nextafter(number.greatest, 0.0f) : number.greatest;
 }
 
 struct ChosenMethod {
@@ -187,8 +95,11 @@ void expect_sound_steps(const Settings& settings) {
     EXPECT_TRUE(std::isfinite(must(world.cloth_info(id)).mass));
 }
 
-/// Takes back what is refused together: stiffening where none is known, or that is too stiff.
+/// Takes back what is refused together: stiffening where none is known, or that is too stiff; restitution
+/// without impact zones.
 void make_acceptable(ClothSettings& settings) {
+    if (settings.self_collision.restitution > 0)
+        settings.self_collision.method = SelfCollisionMethod::impact_zones;
     Fabric& fabric = settings.fabric;
     const bool knows_none = settings.finite_elements.enabled ||
                             std::holds_alternative<Xpbd>(settings.method) ||
@@ -200,8 +111,9 @@ void make_acceptable(ClothSettings& settings) {
 }
 
 Settings with_everything_on(const ChosenMethod& method) {
-    Settings settings;
-    settings.world.wind = {.velocity = {1, 0, 2}, .gust = 0.5f};
+    Settings settings = with_air();
+    settings.world.wind.velocity = {1, 0, 2};
+    settings.world.wind.gust = 0.5f;
     settings.cloth.self_collision.method = SelfCollisionMethod::contact;
     method.choose(settings.cloth);
     return settings;
@@ -209,11 +121,14 @@ Settings with_everything_on(const ChosenMethod& method) {
 
 TEST(SettingRanges, NeitherEndOfAnyBreaksAStep) {
     for (const ChosenMethod& method : methods) {
-        for (const Knob& knob : knobs()) {
-            for (const float value : {knob.least, knob.greatest}) {
-                SCOPED_TRACE(std::string(method.name) + ", " + knob.name + " " + std::to_string(value));
-                Settings settings = with_everything_on(method);
-                knob.of(settings) = value;
+        Settings settings = with_everything_on(method);
+        for (std::size_t k = 0; k < numbers(settings).size(); ++k) {
+            for (const bool least : {true, false}) {
+                settings = with_everything_on(method);
+                const SettingNumber number = numbers(settings)[k];
+                if (is_whole(number)) continue;
+                SCOPED_TRACE(std::string(method.name) + ", " + name(number) + (least ? "-" : "+"));
+                set(number, least ? number.least : greatest(number));
                 make_acceptable(settings.cloth);
                 expect_sound_steps(settings);
                 if (HasFatalFailure()) return;
@@ -227,14 +142,14 @@ TEST(SettingRanges, EndsOfManyAtOnceBreakNoStep) {
     for (const ChosenMethod& method : methods) {
         for (int trial = 0; trial < 30; ++trial) {
             Settings settings = with_everything_on(method);
-            std::string set;
-            for (const Knob& knob : knobs()) {
+            std::string chosen;
+            for (const SettingNumber& number : numbers(settings)) {
                 const std::uint32_t choice = random() % 4;
-                if (choice > 1) continue;
-                knob.of(settings) = choice == 0 ? knob.least : knob.greatest;
-                set += std::string(" ") + knob.name + (choice == 0 ? "-" : "+");
+                if (choice > 1 || is_whole(number)) continue;
+                set(number, choice == 0 ? number.least : greatest(number));
+                chosen += " " + name(number) + (choice == 0 ? "-" : "+");
             }
-            SCOPED_TRACE(std::string(method.name) + set);
+            SCOPED_TRACE(std::string(method.name) + chosen);
             make_acceptable(settings.cloth);
             expect_sound_steps(settings);
             if (HasFatalFailure()) return;
@@ -252,26 +167,55 @@ std::string refusal(const Settings& settings) {
 }
 
 TEST(SettingRanges, WhatLiesOutsideIsRefusedByNameWithTheRange) {
-    for (const Knob& knob : knobs()) {
-        const std::vector<float> outside{std::nextafter(knob.least, -infinite_setting),
-                                         infinite_setting,
-                                         -infinite_setting,
-                                         std::numeric_limits<float>::quiet_NaN(),
-                                         knob.greatest * 1.1f + 0.01f,
-                                         std::numeric_limits<float>::max()};
+    Settings settings = with_air();
+    for (std::size_t k = 0; k < numbers(settings).size(); ++k) {
+        settings = with_air();
+        const SettingNumber number = numbers(settings)[k];
+        std::vector<float> outside{number.least - 1, number.greatest + 1};
+        if (!is_whole(number))
+            outside = {std::nextafter(number.least, -infinite_setting),
+                       std::nextafter(greatest(number), infinite_setting),
+                       infinite_setting,
+                       -infinite_setting,
+                       std::numeric_limits<float>::quiet_NaN(),
+                       std::numeric_limits<float>::max()};
         for (const float value : outside) {
-            Settings settings;
-            knob.of(settings) = value;
+            EXPECT_FALSE(number.has(static_cast<double>(value))) << name(number) << " " << value;
+            set(number, value);
             const std::string message = refusal(settings);
-            EXPECT_NE(message.find(knob.name), std::string::npos) << knob.name << " " << value << message;
+            EXPECT_NE(message.find(name(number)), std::string::npos) << name(number) << value << message;
             EXPECT_NE(message.find("must be"), std::string::npos) << message;
         }
     }
     Settings tiny;
     tiny.world.wind.gust_length = 1e-39f;
-    EXPECT_NE(refusal(tiny).find("Wind::gust_length is 1e-39; it must be from 0.001 to 100000"),
-              std::string::npos)
-        << refusal(tiny);
+    EXPECT_EQ(refusal(tiny), "Wind::gust_length is 1e-39; it must be from 0.001 to 100000");
+    tiny = {};
+    tiny.cloth.self_collision.distance = 1e-7f;
+    EXPECT_EQ(refusal(tiny), "SelfCollision::distance is 1e-07; it must be 0, or from 1e-06 to 10");
+    tiny = {};
+    tiny.cloth.finite_elements.poisson = 0.5f;
+    EXPECT_EQ(refusal(tiny), "FiniteElements::poisson is 0.5; it must be below 0.5");
+    tiny = {};
+    tiny.world.gravity.x = 2e4f;
+    EXPECT_EQ(
+        refusal(tiny),
+        "WorldSettings::gravity is (20000, -9.81, 0); it must be from -10000 to 10000 in every component");
+}
+
+TEST(SettingRanges, AreListedOfWhatCounts) {
+    const auto count = [](Settings settings, const std::string& wanted) {
+        return std::ranges::count(numbers(settings), wanted, name);
+    };
+    Settings settings;
+    EXPECT_EQ(count(settings, "AirSource::radius"), 0);
+    EXPECT_EQ(count(with_air(), "AirSource::radius"), 1);
+    EXPECT_EQ(count(with_air(), "AirShelter::border"), 2);
+    EXPECT_EQ(count(with_air(), "AirShelter::radius"), 1) << "a box has none";
+    EXPECT_EQ(count(settings, "Multilevel::passes"), 1);
+    settings.cloth.method = Jacobi{};
+    EXPECT_EQ(count(settings, "Multilevel::passes"), 0);
+    EXPECT_EQ(count(settings, "Jacobi::iterations"), 1);
 }
 
 TEST(SettingRanges, ValuesThatNoEnumHasAreRefusedByName) {

@@ -368,7 +368,30 @@ static void hooks(void) {
     TAKES(weft_set_hooks(NULL));
 }
 
+static void numbers_of_settings(void) {
+    WeftClothSettings settings;
+    WeftWorldSettings world;
+    WeftSettingNumber numbers[64];
+    size_t count = 0, k, found = 0;
+    weft_cloth_settings_init(&settings, sizeof settings);
+    CHECK(weft_cloth_settings_numbers(&settings, numbers, 64, &count) == WEFT_OK && count > 30 && count < 64);
+    for (k = 0; k < count; ++k)
+        if (strcmp(numbers[k].type, "Fabric") == 0 && strcmp(numbers[k].field, "warp") == 0) {
+            CHECK(numbers[k].number == &settings.fabric.warp && numbers[k].greatest == 1e9f);
+            ++found;
+        } else if (strcmp(numbers[k].field, "passes") == 0) {
+            CHECK(numbers[k].whole == &settings.method.passes && numbers[k].least == 1);
+            ++found;
+        }
+    CHECK(found == 2);
+    weft_world_settings_init(&world, sizeof world);
+    CHECK(weft_world_settings_numbers(&world, numbers, 1, &count) == WEFT_OK && count > 1);
+    CHECK(numbers[0].number == &world.gravity.x && numbers[0].components == 3);
+    REFUSES(WEFT_INVALID_ARGUMENT, "numbers", weft_world_settings_numbers(&world, NULL, 1, &count));
+}
+
 void rest_of_the_host(void) {
+    numbers_of_settings();
     size_t fabrics = 0;
     const WeftNamedFabric* const fabric = weft_fabrics(&fabrics);
     CHECK(fabrics == 9 && strcmp(fabric->name, "cotton") == 0 && fabric->fabric.warp == 1675);

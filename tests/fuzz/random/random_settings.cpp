@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace weft::fuzz {
 
@@ -82,93 +83,19 @@ FiniteElements random_elements(Random& random, Fields& fields, const Method& met
     return elements;
 }
 
-/// One field out of its range.
-void spoil(Random& random, ClothSettings& s) {
-    const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
-    float* const fields[] = {&s.fabric.areal_density,
-                             &s.fabric.warp,
-                             &s.fabric.weft,
-                             &s.fabric.shear,
-                             &s.fabric.bending,
-                             &s.fabric.bending_ratio,
-                             &s.fabric.damping,
-                             &s.fabric.stiffening,
-                             &s.finite_elements.poisson,
-                             &s.tethers.slack,
-                             &s.self_collision.distance,
-                             &s.self_collision.friction,
-                             &s.air_damping,
-                             &s.thickness,
-                             &s.friction,
-                             &s.back_friction_ratio,
-                             &s.restitution,
-                             &s.frame_inertia.linear,
-                             &s.frame_inertia.angular,
-                             &s.frame_inertia.centrifugal,
-                             &s.sleep_speed,
-                             &s.importance,
-                             &s.teleport_distance,
-                             &s.teleport_angle,
-                             &s.wind_scale,
-                             &s.filling.volume,
-                             &s.filling.outside};
-    const std::uint32_t choice = random.below(std::size(fields) + 4);
-    if (choice < std::size(fields)) {
-        *fields[choice] = bad;
+/// Puts one number out of its range.
+template <class Settings>
+void spoil(Random& random, Settings& settings) {
+    const std::vector<SettingNumber> numbers = numbers_of(settings).value();
+    const SettingNumber& number = numbers[random.below(numbers.size())];
+    if (auto* const* const whole = std::get_if<int*>(&number.value)) {
+        const int least = static_cast<int>(number.least), greatest = static_cast<int>(number.greatest);
+        **whole = random.one_of({least - 1, greatest + 1, std::numeric_limits<int>::min()});
         return;
     }
-    switch (choice - std::size(fields)) {
-        case 0:
-            s.substeps = random.one_of({0, -1, 1025, std::numeric_limits<int>::min()});
-            break;
-        case 1:
-            if (random.chance(0.5))
-                s.method = Multilevel{.passes = random.one_of({0, -3, 100001})};
-            else
-                s.method = Multilevel{.tolerance = random.one_of({-1.0f, -2e-3f, 1.1e9f})};
-            break;
-        case 2:
-            s.method = Chebyshev{.iterations = 0};
-            break;
-        default:
-            s.method = Xpbd{.iterations = -1};
-            break;
-    }
-}
-
-void spoil(Random& random, WorldSettings& s) {
-    const float bad = random.one_of({-1.0f, not_a_number, infinity, -infinity});
-    float* const fields[] = {&s.wind.gust, &s.wind.gust_length, &s.wind.air_density,
-                             &s.wind.drag, &s.wind.lift,        &s.max_speed,
-                             &s.budget};
-    const std::uint32_t choice = random.below(std::size(fields) + 7);
-    if (choice < std::size(fields)) {
-        *fields[choice] = bad;
-        return;
-    }
-    switch (choice - std::size(fields)) {
-        case 5:
-            s.wind.sources[3] = {.kind = AirSourceKind::jet, .radius = bad};
-            break;
-        case 6:
-            s.wind.sources[7] = {.kind = static_cast<AirSourceKind>(4)};
-            break;
-        case 0:
-            s.gravity.y = not_a_number;
-            break;
-        case 1:
-            s.wind.velocity.z = infinity;
-            break;
-        case 2:
-            s.substeps = random.one_of({0, -1, 257});
-            break;
-        case 3:
-            s.contact_reports = random.one_of({-1, (1 << 20) + 1});
-            break;
-        default:
-            s.threads = random.one_of({-1, 257});
-            break;
-    }
+    auto* const* const vector = std::get_if<Vec3*>(&number.value);
+    (vector ? (*vector)->y : *std::get<float*>(number.value)) =
+        random.one_of({std::nextafter(number.least, -infinity), not_a_number, infinity, -infinity});
 }
 
 /// Reasonable in most draws, extreme in some, out of range in few.

@@ -160,6 +160,16 @@ typedef struct WeftWorldSettings {
     WeftExecutor executor;
 } WeftWorldSettings;
 
+// weft/numbers.h: SettingNumber
+typedef struct WeftSettingNumber {
+    const char *type, *field;
+    float* number;       // of a vector: its first component; null, if it is whole
+    int32_t* whole;      // null, if it is not
+    int32_t components;  // 1; of a vector 3
+    float least, greatest;
+    WeftBool or_zero, below_greatest;
+} WeftSettingNumber;
+
 // weft/maps.h: Map
 enum {
     WEFT_MAP_MASS,
