@@ -1,5 +1,5 @@
 #pragma once
-// Settings that the panels can change, as a JSON file:
+// Settings as a JSON file:
 //
 //     {"scene": "flag",
 //      "wind": {"velocity": [6, 0, 1], "gusts": 0.5, "swirl_size": 0.8},
@@ -10,8 +10,9 @@
 //      "self_collision": "avoidance", "layers_apart": 0, "air_drag": 0.2, "gap_to_bodies": 0.005,
 //      "friction": 1, "back_friction_ratio": 1}
 //
-// Units are metres, seconds and kilograms. A key that is left out changes nothing; "iterations" are the
-// passes of the method multilevel.
+// Besides, each number of Wind, of WorldSettings but for threads and contact reports, and of ClothSettings is
+// there by its name. Units are metres, seconds and kilograms. A key that is left out changes nothing;
+// "iterations" are the passes of the method multilevel.
 
 #include <filesystem>
 #include <string>

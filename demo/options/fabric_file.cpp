@@ -10,37 +10,23 @@
 #include <vector>
 
 #include "demo/json_text.h"
+#include "demo/number_json.h"
 
 namespace weft::demo {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-struct Field {
-    const char* key;
-    float Fabric::*value;
-    double least, most;
-    const char* unit;
-};
-
-// The ranges of settings.h.
-constexpr std::array<Field, 8> fields{{{"areal_density", &Fabric::areal_density, 1e-4, 1e4, "kg/m^2"},
-                                       {"warp", &Fabric::warp, 0, 1e9, "N/m"},
-                                       {"weft", &Fabric::weft, 0, 1e9, "N/m"},
-                                       {"shear", &Fabric::shear, 0, 1e9, "N/m"},
-                                       {"bending", &Fabric::bending, 0, 1e4, "N m"},
-                                       {"damping", &Fabric::damping, 0, 100, "s"},
-                                       {"stiffening", &Fabric::stiffening, 0, 1000, "per strain"},
-                                       {"bending_ratio", &Fabric::bending_ratio, 0.01, 100, "(no unit)"}}};
-
-std::string range_text(const Field& field) {
-    return "a number from " + Json(field.least).dump() + " to " + Json(field.most).dump() + " " + field.unit;
+/// The numbers of the settings' fabric.
+std::vector<SettingNumber> fields_of(ClothSettings& settings) {
+    std::vector<SettingNumber> fields = *numbers_of(settings);
+    std::erase_if(fields, [](const SettingNumber& each) { return each.type != std::string_view("Fabric"); });
+    return fields;
 }
 
-std::string all_keys() {
-    std::string all;
-    for (const Field& field : fields) all.append(all.empty() ? "" : ", ").append(field.key);
-    return all;
+const SettingNumber* find(const std::vector<SettingNumber>& fields, std::string_view name) {
+    const auto found = std::ranges::find(fields, name, [](const auto& each) { return each.field; });
+    return found == fields.end() ? nullptr : &*found;
 }
 
 /// Makes errors about one file.
@@ -56,24 +42,25 @@ class Complaints {
     std::string file_;
 };
 
-Result<void> set(const Field& field, const Json& value, const Complaints& complain, Fabric& fabric) {
-    if (!value.is_number() || !(value.get<double>() >= field.least && value.get<double>() <= field.most))
-        return complain(std::string(field.key) + " is " + quoted_json(value) + "; it must be " +
-                        range_text(field));
-    fabric.*field.value = value.get<float>();
-    return {};
+Result<void> set(const SettingNumber& field, const Json& value, const Complaints& complain) {
+    const auto done = number_from_json(field, field.field, value);
+    return done ? done : complain(done.error().message);
 }
 
 Result<Fabric> read_own(const Json& json, const Complaints& complain) {
-    Fabric fabric;
+    ClothSettings settings;
+    const auto fields = fields_of(settings);
     for (const auto& [key, value] : json.items()) {
-        const auto field = std::ranges::find_if(fields, [&](const Field& each) { return key == each.key; });
-        if (field == fields.end())
-            return complain("a fabric has no " + quoted_json(Json(key)) + "; it has " + all_keys() +
-                            ", or those of a measured one: density, stretching, bending");
-        if (auto done = set(*field, value, complain, fabric); !done) return done.error();
+        const SettingNumber* const field = find(fields, key);
+        if (field == nullptr) {
+            std::string all;
+            for (const SettingNumber& each : fields) all.append(each.field).append(", ");
+            return complain("a fabric has no " + quoted_json(Json(key)) + "; it has " + all +
+                            "or those of a measured one: density, stretching, bending");
+        }
+        if (auto done = set(*field, value, complain); !done) return done.error();
     }
-    return fabric;
+    return settings.fabric;
 }
 
 /// Reads a table of `rows` rows of `columns` numbers; none if the value is no such table.
@@ -160,9 +147,11 @@ Result<Fabric> read_measured(const Json& json, const Complaints& complain, Measu
         if (key != "density" && key != "stretching" && key != "bending")
             return complain("a measured fabric has no " + quoted_json(Json(key)) +
                             "; it has density, stretching and bending");
-    Fabric fabric;
-    if (!json.contains("density")) return complain("density is missing; it must be " + range_text(fields[0]));
-    if (auto done = set(fields[0], json["density"], complain, fabric); !done) return done.error();
+    ClothSettings settings;
+    const auto fields = fields_of(settings);
+    const SettingNumber& density = *find(fields, "areal_density");
+    if (!json.contains("density")) return complain("density is missing; it must be " + range_text(density));
+    if (auto done = set(density, json["density"], complain); !done) return done.error();
     const auto stretching = read_table(json, "stretching", 6, 4);
     if (!stretching) return complain("stretching must be 6 rows of 4 numbers: c11, c12, c22, c33 [N/m]");
     const auto bending = read_table(json, "bending", 3, 5);
@@ -171,14 +160,14 @@ Result<Fabric> read_measured(const Json& json, const Complaints& complain, Measu
     StretchFit k{mean_of_positive(*stretching, 0, 1), mean_of_positive(*stretching, 2, 3), 0};
     const bool is_warp_first = k.c11 >= k.c22;
     if (stretch == MeasuredStretch::stiffening) k = fit_stiffening(*stretching);
-    const std::array<std::pair<std::size_t, double>, 5> values{{{1, is_warp_first ? k.c11 : k.c22},
-                                                                {2, is_warp_first ? k.c22 : k.c11},
-                                                                {3, mean_of_positive(*stretching, 3, 4)},
-                                                                {4, 0.25 * mean_of_positive(*bending, 0, 5)},
-                                                                {6, k.stiffening}}};
+    const std::pair<const char*, double> values[] = {{"warp", is_warp_first ? k.c11 : k.c22},
+                                                     {"weft", is_warp_first ? k.c22 : k.c11},
+                                                     {"shear", mean_of_positive(*stretching, 3, 4)},
+                                                     {"bending", 0.25 * mean_of_positive(*bending, 0, 5)},
+                                                     {"stiffening", k.stiffening}};
     for (const auto& [field, value] : values)
-        if (auto done = set(fields[field], value, complain, fabric); !done) return done.error();
-    return fabric;
+        if (auto done = set(*find(fields, field), value, complain); !done) return done.error();
+    return settings.fabric;
 }
 
 }  // namespace
