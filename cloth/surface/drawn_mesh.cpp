@@ -191,9 +191,11 @@ Result<DrawnMesh> DrawnMesh::bind(const ClothView& cloth, const DrawnSurface& su
         bonds->rounding = settings.rounding;
         bonds->of_vertex.reserve(surface.vertices.size());
         std::vector<std::size_t> unbound;
+        std::uint32_t nearby = 0;
         for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
             const Vector3 vertex = to_vector(surface.vertices[v]);
-            const auto found = nearest.to(vertex, axes.normals[v], settings.reach);
+            const auto found = nearest.to(vertex, axes.normals[v], settings.reach, nearby);
+            if (found) nearby = found->leaf;
             if (!found)
                 unbound.push_back(v);
             else if (unbound.empty())

@@ -21,30 +21,48 @@ Vector3 area_normal(const std::array<Vector3, 3>& x) {
     return (x[1] - x[0]).cross(x[2] - x[0]);
 }
 
+Eigen::Vector4f padded(const Vector3& v) {
+    return {v.x(), v.y(), v.z(), 0};
+}
+
 /// The greatest scalar product of `direction` and a point of the box.
-float most_along(const Vector3& direction, const Eigen::AlignedBox3f& box) {
+float most_along(const Eigen::Vector4f& direction, const Eigen::AlignedBox4f& box) {
     return direction.cwiseProduct(box.min()).cwiseMax(direction.cwiseProduct(box.max())).sum();
+}
+
+/// The squared distance of a point from a box, without branches: they would be mispredicted.
+float squared_distance(const Eigen::Vector4f& point, const Eigen::AlignedBox4f& box) {
+    return (box.min() - point).cwiseMax(point - box.max()).cwiseMax(Eigen::Vector4f::Zero()).squaredNorm();
+}
+
+float squared(float x) {
+    return x * x;
 }
 
 }  // namespace
 
-NearestTriangle::NearestTriangle(const ClothView& cloth) : cloth_(cloth) {
+NearestTriangle::NearestTriangle(const ClothView& cloth) {
     if (cloth.triangles.empty()) return;
-    std::vector<std::uint32_t> order(cloth.triangles.size());
-    std::iota(order.begin(), order.end(), 0u);
-    build(std::move(order));
+    for (const std::uint32_t t : build(cloth)) {
+        const auto x = corners_of(cloth, t);
+        faces_.push_back({{}, x, area_normal(x), t});
+        for (const Vector3& corner : x) faces_.back().box.extend(padded(corner));
+    }
     fit();
 }
 
 // Halves each node at the median along the longest side of the box of its triangles' centroids. Equal
-// centroids are ordered by number, so that depth is at most log n for any mesh.
-void NearestTriangle::build(std::vector<std::uint32_t> order) {
+// centroids are ordered by number, so that depth is at most log n for any mesh. Returns the triangles by
+// leaves.
+std::vector<std::uint32_t> NearestTriangle::build(const ClothView& cloth) {
+    std::vector<std::uint32_t> order(cloth.triangles.size());
+    std::iota(order.begin(), order.end(), 0u);
     std::vector<Vector3> centroids(order.size());
     for (const std::uint32_t t : order) {
-        const auto x = corners_of(cloth_, t);
+        const auto x = corners_of(cloth, t);
         centroids[t] = (x[0] + x[1] + x[2]) / 3;
     }
-    nodes_.assign(1, {{}, {}, 0, static_cast<std::uint32_t>(order.size())});
+    nodes_.assign(1, {{}, {}, 0, static_cast<std::uint32_t>(order.size()), 0});
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         const std::uint32_t first = nodes_[n].first, count = nodes_[n].count;
         if (count <= most_in_leaf) continue;
@@ -59,10 +77,11 @@ void NearestTriangle::build(std::vector<std::uint32_t> order) {
         });
         nodes_[n].first = static_cast<std::uint32_t>(nodes_.size());
         nodes_[n].count = 0;
-        nodes_.push_back({{}, {}, first, count / 2});
-        nodes_.push_back({{}, {}, first + count / 2, count - count / 2});
+        const auto parent = static_cast<std::uint32_t>(n);
+        nodes_.push_back({{}, {}, first, count / 2, parent});
+        nodes_.push_back({{}, {}, first + count / 2, count - count / 2, parent});
     }
-    order_ = std::move(order);
+    return order;
 }
 
 // Children come after their parents in the list, so boxes are fitted from its end.
@@ -70,9 +89,8 @@ void NearestTriangle::fit() {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         Node& node = nodes_[n];
         for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-            const auto x = corners_of(cloth_, order_[k]);
-            for (const Vector3& corner : x) node.box.extend(corner);
-            node.normals.extend(area_normal(x).stableNormalized());
+            node.box.extend(faces_[k].box);
+            node.normals.extend(padded(faces_[k].area_normal.stableNormalized()));
         }
         if (node.count > 0) continue;
         for (const std::uint32_t child : {node.first, node.first + 1}) {
@@ -80,58 +98,72 @@ void NearestTriangle::fit() {
             node.normals.extend(nodes_[child].normals);
         }
     }
-    const Eigen::AlignedBox3f& all = nodes_[0].box;
+    const Box& all = nodes_[0].box;
     rounding_ = 2e-6f * all.min().cwiseAbs().cwiseMax(all.max().cwiseAbs()).maxCoeff();
 }
 
 std::optional<NearestTriangle::Found> NearestTriangle::search(const Vector3& point, const Vector3* normal,
-                                                              float reach) const {
+                                                              float reach, std::uint32_t nearby) const {
     std::optional<Found> best;
-    float bound = reach + rounding_;
-    const auto look_at = [&](std::uint32_t triangle) {
-        const auto x = corners_of(cloth_, triangle);
-        if (normal != nullptr && !(area_normal(x).dot(*normal) > 0)) return;
+    const Eigen::Vector4f at = padded(point), facing = padded(normal != nullptr ? *normal : point);
+    float bound = squared(reach + rounding_);  // of squared distances from boxes
+    const auto look_at = [&](const Face& face, std::uint32_t leaf) {
+        if (!(squared_distance(at, face.box) <= bound)) return;
+        if (normal != nullptr && !(face.area_normal.dot(*normal) > 0)) return;
+        const auto& x = face.corners;
         const std::array<float, 3> weights = nearest_on_triangle(point, x);
         const float second = weights[1], third = weights[2];
         const Vector3 nearest = x[0] + second * (x[1] - x[0]) + third * (x[2] - x[0]);
-        const Found found{triangle, second, third, (nearest - point).norm()};
+        const Found found{face.triangle, second, third, (nearest - point).norm(), leaf};
         if (!(found.distance <= reach)) return;
         const bool equal = best && found.distance == best->distance;
-        if (best && !(found.distance < best->distance) && !(equal && triangle < best->triangle)) return;
+        if (best && !(found.distance < best->distance) && !(equal && face.triangle < best->triangle)) return;
         best = found;
-        bound = found.distance * (1 + 1e-5f) + rounding_;
+        bound = squared(found.distance * (1 + 1e-5f) + rounding_);
     };
     const float least_facing = normal != nullptr ? -1e-5f * normal->lpNorm<1>() : 0;
     const auto may_face = [&](const Node& node) {
-        return normal == nullptr || most_along(*normal, node.normals) > least_facing;
+        return normal == nullptr || most_along(facing, node.normals) > least_facing;
     };
-    std::array<std::pair<std::uint32_t, float>, 64> open;  // nodes, and their distances from the point
+    struct Open {
+        std::uint32_t node;
+        float distance;  // squared, of its box from the point
+    };
+    std::array<Open, 64> open;
     std::size_t count = 0;
     const auto add = [&](std::uint32_t n) {
-        const float distance = nodes_[n].box.exteriorDistance(point);
+        const float distance = squared_distance(at, nodes_[n].box);
         if (distance <= bound && may_face(nodes_[n])) open[count++] = {n, distance};
     };
-    if (!nodes_.empty()) add(0);
-    while (count > 0) {
-        const auto [n, distance] = open[--count];
-        if (!(distance <= bound)) continue;
-        const Node& node = nodes_[n];
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k) look_at(order_[k]);
-        if (node.count > 0) continue;
-        const std::size_t before = count;
-        add(node.first);
-        add(node.first + 1);
-        if (count == before + 2 && open[before].second < open[before + 1].second)
-            std::swap(open[before], open[before + 1]);  // the nearer one is visited first
+    const auto visit_open = [&] {
+        while (count > 0) {
+            const auto [n, distance] = open[--count];
+            if (!(distance <= bound)) continue;
+            const Node& node = nodes_[n];
+            for (std::uint32_t k = node.first; k < node.first + node.count; ++k) look_at(faces_[k], n);
+            if (node.count > 0) continue;
+            const std::size_t before = count;
+            add(node.first);
+            add(node.first + 1);
+            if (count == before + 2 && open[before].distance < open[before + 1].distance)
+                std::swap(open[before], open[before + 1]);  // the nearer one is visited first
+        }
+    };
+    if (nodes_.empty()) return best;
+    add(nearby);
+    visit_open();
+    for (std::uint32_t n = nearby; n != 0; n = nodes_[n].parent) {
+        add(n % 2 == 1 ? n + 1 : n - 1);  // its sibling
+        visit_open();
     }
     return best;
 }
 
 std::optional<NearestTriangle::Found> NearestTriangle::to(const Vector3& point, const Vector3& normal,
-                                                          float reach) const {
+                                                          float reach, std::uint32_t nearby) const {
     if (!normal.isZero(0))
-        if (const auto facing = search(point, &normal, reach)) return facing;
-    return search(point, nullptr, reach);
+        if (const auto facing = search(point, &normal, reach, nearby)) return facing;
+    return search(point, nullptr, reach, nearby);
 }
 
 }  // namespace weft

@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <vector>
 
 #include "engine/vector.h"
 #include "weft/world.h"
@@ -234,6 +237,41 @@ TEST(DrawnMesh, BindsToTheNearestTriangle) {
         if (least > 0.004f) {
             EXPECT_FALSE(DrawnMesh::bind(cage.view, {.vertices = one}, {.reach = least - 0.003f}).ok());
         }
+    }
+}
+
+/// A search begins where the vertex before was found: only its time may depend on that.
+TEST(DrawnMesh, HasTheSameBondsInAnyOrderOfVertices) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(0, 1), shake(-0.03f, 0.03f);
+    const Cage cage(12, bent);
+    std::vector<Vec3> vertices, normals;
+    for (int i = 0; i < 500; ++i) {
+        const auto [p, n] = bent(place(random), place(random));
+        vertices.push_back(to_vec3(p + shake(random) * n));
+        normals.push_back(to_vec3(shake(random) * n));
+    }
+    std::vector<std::size_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::shuffle(order, random);
+    std::vector<Vec3> shuffled_vertices, shuffled_normals;
+    for (const std::size_t v : order) {
+        shuffled_vertices.push_back(vertices[v]);
+        shuffled_normals.push_back(normals[v]);
+    }
+    const auto mesh = DrawnMesh::bind(cage.view, {.vertices = vertices, .normals = normals});
+    const auto other =
+        DrawnMesh::bind(cage.view, {.vertices = shuffled_vertices, .normals = shuffled_normals});
+    ASSERT_TRUE(mesh.ok() && other.ok());
+    const Cage moved(12, [](float u, float v) {
+        return PointAndNormal{{u, v, u * v}, Vector3(-v, -u, 1).normalized()};
+    });
+    Drawn drawn(order.size()), again(order.size());
+    mesh->update(moved.view, drawn.spans());
+    other->update(moved.view, again.spans());
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        EXPECT_EQ(xyz(again.positions[k]), xyz(drawn.positions[order[k]]));
+        EXPECT_EQ(xyz(again.normals[k]), xyz(drawn.normals[order[k]]));
     }
 }
 
