@@ -113,6 +113,31 @@ WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* wo
         return {};
     });
 }
+const WeftDrawnBond* weft_drawn_mesh_bonds(const WeftDrawnMesh* mesh) {
+    static_assert(sizeof(WeftDrawnBond) == sizeof(weft::DrawnBond));
+    static_assert(offsetof(WeftDrawnBond, handedness) == offsetof(weft::DrawnBond, handedness));
+    return mesh == nullptr ? nullptr : reinterpret_cast<const WeftDrawnBond*>(mesh->mesh.bonds().data());
+}
+float weft_drawn_mesh_rounding(const WeftDrawnMesh* mesh) {
+    return mesh == nullptr ? 0 : mesh->mesh.rounding();
+}
+size_t weft_drawn_mesh_save_size(const WeftDrawnMesh* mesh) {
+    return mesh == nullptr ? 0 : mesh->mesh.save_size();
+}
+WeftResult weft_drawn_mesh_save(const WeftDrawnMesh* mesh, void* to, size_t bytes) {
+    return guarded([&]() -> weft::Result<void> {
+        if (auto there = are_there({{mesh, "mesh"}, {to, "to"}}); !there) return there;
+        return mesh->mesh.save({static_cast<std::byte*>(to), bytes});
+    });
+}
+WeftResult weft_drawn_mesh_load(const void* saved, size_t bytes, const WeftWorld* world, WeftClothId cloth,
+                                WeftDrawnMesh** mesh) {
+    return on(world, {{saved, "saved"}, {mesh, "mesh"}}, [&](const weft::World& of) -> weft::Result<void> {
+        const auto view = of.cloth(std::bit_cast<weft::ClothId>(cloth));
+        if (!view) return view.error();
+        return put_handle(weft::DrawnMesh::load({static_cast<const std::byte*>(saved), bytes}, *view), mesh);
+    });
+}
 void weft_drawn_mesh_destroy(WeftDrawnMesh* mesh) {
     delete mesh;
 }

@@ -8,13 +8,9 @@
 #include "cloth/surface/nearest_triangle.h"
 #include "engine/error_text.h"
 #include "engine/memory/without_exceptions.h"
+#include "engine/vector.h"
 
 namespace weft {
-
-struct WEFT_LOCAL DrawnMesh::Bonds {
-    std::vector<DrawnBond> of_vertex;
-    float rounding = 0;
-};
 
 namespace {
 
@@ -22,6 +18,34 @@ namespace {
 Vector3 unit_or(const Vector3& v, const Vector3& otherwise) {
     const float length = v.norm();
     return length > 1e-12f ? Vector3(v / length) : otherwise;
+}
+
+/// A point on the rounded surface, and axes there: along the triangle's first side, across, and out.
+struct SurfacePoint {
+    Vector3 position;
+    Matrix3 frame;
+    Vector3 first_side, second_side;  // of the triangle, from its first corner
+};
+
+SurfacePoint surface_point(const ClothView& cloth, const std::array<std::uint32_t, 3>& particles,
+                           float second, float third, float rounding) {
+    const std::array<float, 3> weights{1 - second - third, second, third};
+    std::array<Vector3, 3> corners, normals;
+    for (std::size_t c = 0; c < 3; ++c) {
+        corners[c] = xyz(cloth.positions[particles[c]]);
+        normals[c] = xyz(cloth.normals[particles[c]]);
+    }
+    const Vector3 flat = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+    const Vector3 mean = weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2];
+    Vector3 rise = Vector3::Zero();
+    for (std::size_t c = 0; c < 3; ++c) rise += weights[c] * (corners[c] - flat).dot(normals[c]) * normals[c];
+    SurfacePoint at{flat + rounding * rise, Matrix3(), corners[1] - corners[0], corners[2] - corners[0]};
+    const Vector3& side = at.first_side;
+    at.frame.col(2) = unit_or(mean, unit_or(side.cross(at.second_side), Vector3::UnitY()));
+    at.frame.col(0) =
+        unit_or(side - side.dot(at.frame.col(2)) * at.frame.col(2), at.frame.col(2).unitOrthogonal());
+    at.frame.col(1) = at.frame.col(2).cross(at.frame.col(0));
+    return at;
 }
 
 Error bad_vertex(std::size_t vertex, const std::string& what) {
@@ -155,27 +179,6 @@ DrawnBond bond_to(const ClothView& cloth, const NearestTriangle::Found& found, f
 
 }  // namespace
 
-SurfacePoint surface_point(const ClothView& cloth, const std::array<std::uint32_t, 3>& particles,
-                           float second, float third, float rounding) {
-    const std::array<float, 3> weights{1 - second - third, second, third};
-    std::array<Vector3, 3> corners, normals;
-    for (std::size_t c = 0; c < 3; ++c) {
-        corners[c] = xyz(cloth.positions[particles[c]]);
-        normals[c] = xyz(cloth.normals[particles[c]]);
-    }
-    const Vector3 flat = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-    const Vector3 mean = weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2];
-    Vector3 rise = Vector3::Zero();
-    for (std::size_t c = 0; c < 3; ++c) rise += weights[c] * (corners[c] - flat).dot(normals[c]) * normals[c];
-    SurfacePoint at{flat + rounding * rise, Matrix3(), corners[1] - corners[0], corners[2] - corners[0]};
-    const Vector3& side = at.first_side;
-    at.frame.col(2) = unit_or(mean, unit_or(side.cross(at.second_side), Vector3::UnitY()));
-    at.frame.col(0) =
-        unit_or(side - side.dot(at.frame.col(2)) * at.frame.col(2), at.frame.col(2).unitOrthogonal());
-    at.frame.col(1) = at.frame.col(2).cross(at.frame.col(0));
-    return at;
-}
-
 DrawnMesh::DrawnMesh(std::unique_ptr<Bonds> bonds) : bonds_(std::move(bonds)) {}
 DrawnMesh::DrawnMesh(DrawnMesh&&) noexcept = default;
 DrawnMesh& DrawnMesh::operator=(DrawnMesh&&) noexcept = default;
@@ -189,6 +192,7 @@ Result<DrawnMesh> DrawnMesh::bind(const ClothView& cloth, const DrawnSurface& su
         const NearestTriangle nearest(cloth);
         auto bonds = std::make_unique<Bonds>();
         bonds->rounding = settings.rounding;
+        bonds->mesh = BoundMesh(cloth);
         bonds->of_vertex.reserve(surface.vertices.size());
         std::vector<std::size_t> unbound;
         std::uint32_t nearby = 0;
@@ -209,6 +213,14 @@ Result<DrawnMesh> DrawnMesh::bind(const ClothView& cloth, const DrawnSurface& su
 
 std::size_t DrawnMesh::size() const noexcept {
     return bonds_->of_vertex.size();
+}
+
+std::span<const DrawnBond> DrawnMesh::bonds() const noexcept {
+    return bonds_->of_vertex;
+}
+
+float DrawnMesh::rounding() const noexcept {
+    return bonds_->rounding;
 }
 
 void DrawnMesh::update(const ClothView& cloth, const DrawnVertices& to, std::size_t first,

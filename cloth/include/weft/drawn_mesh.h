@@ -2,6 +2,7 @@
 // A fine mesh that is drawn over a coarse simulated one. It follows the cloth with all its own detail, and is
 // rounded where the cloth's triangles are coarse.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -42,6 +43,36 @@ struct DrawnVertices {
     std::span<Vec4> tangents{};
 };
 
+/// The bond of a drawn vertex to a triangle of cloth: what update() reads, and what a vertex shader does that
+/// skins on a GPU. Upload bonds once, and ClothView::positions and normals after each step.
+///
+/// The formula, where x0, x1, x2 and n0, n1, n2 are positions and normals of `particles`, w0 = 1 - second -
+/// third, w1 = second, w2 = third, and r is DrawnMesh::rounding():
+///
+///     flat     = w0 x0 + w1 x1 + w2 x2
+///     rise     = w0 dot(x0 - flat, n0) n0 + w1 dot(x1 - flat, n1) n1 + w2 dot(x2 - flat, n2) n2
+///     e, f     = x1 - x0, x2 - x0
+///     out      = normalize(w0 n0 + w1 n1 + w2 n2)
+///     along    = normalize(e - dot(e, out) out)
+///     across   = cross(out, along)
+///     position = flat + r rise + offset.x along + offset.y across + offset.z out
+///     normal   = normal.x along + normal.y across + normal.z out
+///     way      = tangent.x e + tangent.y f
+///     tangent  = normalize(way - dot(way, normal) normal), with w = handedness
+///
+/// Where the cloth's triangle or its mean normal has no size, update() takes other directions, and a shader
+/// has to guard its normalize().
+struct alignas(64) DrawnBond {
+    std::array<std::uint32_t, 3> particles{};  ///< the triangle's, below the number of particles
+    float second = 0, third = 0;     ///< barycentric coordinates of the last two particles, 0 to 1 in sum
+    std::array<float, 3> offset{};   ///< from the rounded surface, in the triangle's frame [m]
+    std::array<float, 3> normal{};   ///< in that frame, unit length
+    std::array<float, 2> tangent{};  ///< multiples of the triangle's sides from its first corner
+    float handedness = 1;            ///< 1 or -1, as the w of DrawnVertices::tangents
+    float unused = 0;
+};
+static_assert(sizeof(DrawnBond) == 64, "a bond fills one cache line");
+
 class WEFT_API DrawnMesh {
   public:
     /// Binds each vertex to the nearest triangle of the cloth as it is now, preferring triangles within reach
@@ -65,6 +96,20 @@ class WEFT_API DrawnMesh {
     /// Precondition: `cloth` is a view of the cloth that the mesh was bound to.
     void update(const ClothView& cloth, const DrawnVertices& to, std::size_t first = 0,
                 std::size_t count = SIZE_MAX) const noexcept;
+
+    /// One a vertex, until the DrawnMesh is gone.
+    [[nodiscard]] std::span<const DrawnBond> bonds() const noexcept;
+    [[nodiscard]] float rounding() const noexcept;  ///< DrawnMeshSettings::rounding of the binding
+
+    /// Number of bytes that save() writes: 64 a vertex, and 64. They are little-endian, with a version and a
+    /// checksum.
+    [[nodiscard]] std::size_t save_size() const noexcept;
+    /// Error: `to` has another size than save_size().
+    Result<void> save(std::span<std::byte> to) const;
+    /// Reads saved bonds in some 0.1 us a vertex. `cloth` is any cloth with the particles and triangles of
+    /// the one that was bound to, in any pose: of the same mesh and the same version of Weft. Errors: bytes
+    /// that are no such save, of another version, cut short or damaged; bonds to another mesh.
+    [[nodiscard]] static Result<DrawnMesh> load(std::span<const std::byte> saved, const ClothView& cloth);
 
   private:
     struct Bonds;

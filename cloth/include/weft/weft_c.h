@@ -251,6 +251,14 @@ WEFT_API size_t weft_drawn_mesh_size(const WeftDrawnMesh* mesh);
 WEFT_API WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* world,
                                            WeftClothId cloth, WeftVec4* positions, WeftVec4* normals,
                                            WeftVec4* tangents, size_t first, size_t count);
+// One bond a vertex, until the mesh is destroyed; null: no mesh.
+WEFT_API const WeftDrawnBond* weft_drawn_mesh_bonds(const WeftDrawnMesh* mesh);
+WEFT_API float weft_drawn_mesh_rounding(const WeftDrawnMesh* mesh);
+WEFT_API size_t weft_drawn_mesh_save_size(const WeftDrawnMesh* mesh);
+WEFT_API WeftResult weft_drawn_mesh_save(const WeftDrawnMesh* mesh, void* to, size_t bytes);
+// For a cloth of the mesh that was bound to.
+WEFT_API WeftResult weft_drawn_mesh_load(const void* saved, size_t bytes, const WeftWorld* world,
+                                         WeftClothId cloth, WeftDrawnMesh** mesh);
 WEFT_API void weft_drawn_mesh_destroy(WeftDrawnMesh* mesh);
 
 // The clock of a game loop.

@@ -248,6 +248,7 @@ void record(const char* folder) {
 
 static void drawn_mesh(void) {
     static WeftVec4 places[9];
+    static unsigned char saved[256];
     const WeftVec3 corners[3] = {{-0.2f, 0.01f, -0.2f}, {0.2f, 0.01f, -0.2f}, {0, 0.01f, 0.2f}};
     const uint32_t triangle[3] = {0, 2, 1};
     WeftDrawnSurface surface;
@@ -276,6 +277,17 @@ static void drawn_mesh(void) {
     CHECK(fabsf(aligned[1].x - 0.2f) < 1e-5f && fabsf(aligned[1].y - 0.01f) < 1e-5f && aligned[1].w == 1);
     REFUSES(WEFT_INVALID_ARGUMENT, "aligned",
             weft_drawn_mesh_update(drawn, world, cloth, (WeftVec4*)((char*)aligned + 4), NULL, NULL, 0, 1));
+    CHECK(weft_drawn_mesh_rounding(drawn) == 0.5f && weft_drawn_mesh_rounding(NULL) == 0);
+    CHECK(weft_drawn_mesh_bonds(drawn)[1].normal[2] > 0.99f && weft_drawn_mesh_bonds(NULL) == NULL);
+    CHECK(weft_drawn_mesh_save_size(drawn) == sizeof saved && weft_drawn_mesh_save_size(NULL) == 0);
+    REFUSES(WEFT_INVALID_ARGUMENT, "256", weft_drawn_mesh_save(drawn, saved, 255));
+    TAKES(weft_drawn_mesh_save(drawn, saved, sizeof saved));
+    weft_drawn_mesh_destroy(drawn);
+    TAKES(weft_drawn_mesh_load(saved, sizeof saved, world, cloth, &drawn));
+    CHECK(weft_drawn_mesh_size(drawn) == 3);
+    saved[99] ^= 1;
+    REFUSES(WEFT_MALFORMED_FILE, "checksum",
+            weft_drawn_mesh_load(saved, sizeof saved, world, cloth, &drawn));
     weft_drawn_mesh_destroy(drawn);
     weft_mesh_destroy(mesh);
     weft_world_destroy(world);

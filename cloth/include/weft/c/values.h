@@ -92,6 +92,17 @@ typedef struct WeftDrawnMesh WeftDrawnMesh;
 typedef struct WeftCutStroke WeftCutStroke;
 typedef struct WeftFixedStep WeftFixedStep;
 
+// The bond of a drawn vertex; weft/drawn_mesh.h has the formula that reads it.
+typedef struct WeftDrawnBond {
+    uint32_t particles[3];
+    float second, third;
+    float offset[3];
+    float normal[3];
+    float tangent[2];
+    float handedness;
+    float unused[2];
+} WeftDrawnBond;
+
 // Items in the host's memory, each `stride` bytes behind the one before it; 0: they are contiguous.
 typedef struct WeftInput {
     const void* data;
