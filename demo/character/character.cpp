@@ -81,12 +81,14 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
     auto body = Body::create(read->recording.skeleton);
     if (!body) return Error{body.error().code, settings.garment.string() + ": " + body.error().message};
     Fit fit;
+    const SkinnedMesh& worn = read->worn;
     std::vector<std::uint32_t> joints;
     std::vector<float> weights;
     for (const std::uint32_t vertex : read->garment.fixed) {
         fit.held.push_back(read->garment.mesh.positions[vertex]);
-        joints.insert(joints.end(), &read->joints[4 * vertex], &read->joints[4 * vertex] + 4);
-        weights.insert(weights.end(), &read->weights[4 * vertex], &read->weights[4 * vertex] + 4);
+        const std::size_t first = worn.influences * vertex;
+        joints.insert(joints.end(), &worn.joints[first], &worn.joints[first] + worn.influences);
+        weights.insert(weights.end(), &worn.weights[first], &worn.weights[first] + worn.influences);
     }
     Pose pose;
     place_joints(read->recording.skeleton, read->rest, pose);
@@ -95,7 +97,7 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
     };
     auto binding = Binding::by_weights(pose, fit.held, joints, weights);
     if (!binding) return in_file("fixed ", binding.error());
-    auto all = Binding::by_weights(pose, read->garment.mesh.positions, read->joints, read->weights);
+    auto all = Binding::by_weights(pose, worn.mesh.positions, worn.joints, worn.weights);
     if (!all) return in_file("", all.error());
     Skin skin;
     if (has_skin) {

@@ -1,18 +1,19 @@
 # Installs the libraries, the public headers, and packages by which find_package(weft) gives weft::weft, and weft::render
-# if it was built, and by which pkg-config gives weft. `cpack` makes a Debian package of these files.
+# and weft::gltf if they were built, and by which pkg-config gives weft. `cpack` makes a Debian package of these files.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 set(weft_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/weft)
 
-# weft_install(export rooms...): the rooms' libraries as weft::<room>, and their headers in include/weft.
+# weft_install(export folders...): the rooms' libraries as weft::<room>, and their headers in include/weft.
 function(weft_install export)
-  foreach(room IN LISTS ARGN)
+  foreach(folder IN LISTS ARGN)
+    get_filename_component(room ${folder} NAME)
     if(NOT BUILD_SHARED_LIBS)
       set_target_properties(weft_${room} PROPERTIES EXPORT_NAME ${room})
       install(TARGETS weft_${room} EXPORT ${export})
     endif()
-    install(DIRECTORY ${room}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
+    install(DIRECTORY ${folder}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
   endforeach()
   install(EXPORT ${export} NAMESPACE weft:: DESTINATION ${weft_package_dir})
 endfunction()
@@ -25,6 +26,9 @@ endif()
 weft_install(weftTargets engine collision cloth)
 if(WEFT_BUILD_RENDER AND NOT BUILD_SHARED_LIBS)  # it links the rooms' libraries
   weft_install(weftRenderTargets render)
+endif()
+if(TARGET weft_gltf AND NOT BUILD_SHARED_LIBS)
+  weft_install(weftGltfTargets demo/gltf)
 endif()
 install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -59,4 +59,31 @@ endif()
     -D CMAKE_PREFIX_PATH=${prefix}
     -D CMAKE_DISABLE_FIND_PACKAGE_Eigen3=TRUE)
 endif()
+
+# So does weft::gltf, where its build's JSON library is not.
+if(EXISTS ${weft_build}/demo/gltf)
+  file(WRITE ${folder}/gltf/main.cpp "#include <weft/gltf.h>
+#include <cstdio>
+int main() {
+    const auto asset = weft::GltfAsset::load(\"none.glb\");
+    if (!asset) std::puts(asset.error().message.c_str());
+    return asset.ok() ? 1 : 0;
+}
+")
+  file(WRITE ${folder}/gltf/CMakeLists.txt "cmake_minimum_required(VERSION 3.23)
+project(host CXX)
+find_package(weft REQUIRED COMPONENTS gltf)
+add_executable(host main.cpp)
+target_link_libraries(host PRIVATE weft::gltf)
+")
+  run(${CMAKE_COMMAND} -S ${folder}/gltf -B ${folder}/gltf-build
+    -D CMAKE_CXX_COMPILER=${cxx_compiler}
+    -D CMAKE_PREFIX_PATH=${prefix}
+    -D CMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=TRUE)
+  run(${CMAKE_COMMAND} --build ${folder}/gltf-build)
+  run(${folder}/gltf-build/host)
+  if(NOT output MATCHES "none.glb: cannot be read")
+    fail("a host with weft::gltf ran, but was told nothing:\n${output}")
+  endif()
+endif()
 file(REMOVE_RECURSE ${folder})

@@ -8,6 +8,7 @@
 namespace weft::demo {
 namespace {
 
+constexpr std::size_t nearest_joints = 4;
 constexpr float least_distance = 0.01f;  // added to all distances, to keep weights finite [m]
 
 Error misfit(std::size_t point, const std::string& what) {
@@ -21,14 +22,15 @@ float part_along(const TaperedCapsule& capsule, const Vector3& point) {
     return std::clamp((point - a).dot(axis) / std::max(axis.squaredNorm(), 1e-12f), 0.0f, 1.0f);
 }
 
-Binding::Bond Binding::bond(const Pose& pose, const Vector3& point, std::span<const float> weight_of_joint) {
+Binding::Bond Binding::bond(const Pose& pose, const Vector3& point, std::span<const float> weight_of_joint,
+                            std::size_t kept) {
     std::vector<std::uint32_t> order(weight_of_joint.size());
     std::iota(order.begin(), order.end(), 0u);
     std::ranges::stable_sort(order, std::ranges::greater{},
                              [&](std::uint32_t j) { return weight_of_joint[j]; });
     Bond bond;
     float sum = 0;
-    const std::size_t kept = std::min(most, order.size());
+    kept = std::min(kept, order.size());
     for (std::size_t k = 0; k < kept; ++k) sum += weight_of_joint[order[k]];
     for (std::size_t k = 0; k < most; ++k) {
         const std::uint32_t joint = order[std::min(k, kept - 1)];
@@ -61,24 +63,25 @@ Binding Binding::to_nearest(const Body& body, const Pose& pose, std::span<const 
             std::ranges::fill(weights, 0.0f);
             weights[static_cast<std::size_t>(greatest)] = 1;
         }
-        binding.bonds_.push_back(bond(pose, point, weights));
+        binding.bonds_.push_back(bond(pose, point, weights, nearest_joints));
     }
     return binding;
 }
 
 Result<Binding> Binding::by_weights(const Pose& pose, std::span<const Vec3> points,
                                     std::span<const std::uint32_t> joints, std::span<const float> weights) {
-    if (joints.size() != most * points.size() || weights.size() != most * points.size())
+    const std::size_t each = points.empty() ? 0 : joints.size() / points.size();
+    if (joints.size() != each * points.size() || weights.size() != joints.size())
         return Error{ErrorCode::invalid_argument, std::to_string(joints.size()) + " joints and " +
                                                       std::to_string(weights.size()) + " weights for " +
                                                       std::to_string(points.size()) +
-                                                      " points; each needs four of both"};
+                                                      " points; each needs as many of both"};
     Binding binding;
     std::vector<float> of_joint(pose.positions.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         std::ranges::fill(of_joint, 0.0f);
         float sum = 0;
-        for (std::size_t k = most * i; k < most * (i + 1); ++k) {
+        for (std::size_t k = each * i; k < each * (i + 1); ++k) {
             if (!(weights[k] >= 0 && weights[k] <= 1e6f))
                 return misfit(i,
                               "has a weight of " + std::to_string(weights[k]) + "; it must be from 0 to 1");
@@ -90,7 +93,7 @@ Result<Binding> Binding::by_weights(const Pose& pose, std::span<const Vec3> poin
         }
         if (!(sum > 1e-6f))
             return misfit(i, "has weights that sum to " + std::to_string(sum) + "; it needs 1");
-        binding.bonds_.push_back(bond(pose, to_vector(points[i]), of_joint));
+        binding.bonds_.push_back(bond(pose, to_vector(points[i]), of_joint, most));
     }
     return binding;
 }

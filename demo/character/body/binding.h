@@ -13,18 +13,19 @@ namespace weft::demo {
 
 enum class Blending : std::uint8_t {
     rigid,         ///< each point follows the joint of its greatest weight
-    linear_blend,  ///< weighted mean over up to four joints' frames (Magnenat-Thalmann 1988)
+    linear_blend,  ///< weighted mean over up to eight joints' frames (Magnenat-Thalmann 1988)
 };
 
 class Binding {
   public:
     Binding() = default;
-    /// Binds points by the inverse fourth power of their distance from each limb's surface in this pose. A
-    /// limb whose ends belong to two joints shares its weight between both.
+    /// Binds points to four joints, by the inverse fourth power of their distance from each limb's surface in
+    /// this pose. A limb whose ends belong to two joints shares its weight between both.
     [[nodiscard]] static Binding to_nearest(const Body& body, const Pose& pose, std::span<const Vec3> points,
                                             Blending blending = Blending::linear_blend);
-    /// Binds points by a file's weights: four joints and four weights a point. Error: not four a point, a
-    /// joint that the skeleton lacks, weights that are negative, not finite or sum to 0, each with its point.
+    /// Binds points by a file's weights, as many joints and weights for each point; the eight greatest are
+    /// kept. Error: not as many of both for each point, a joint that the skeleton lacks, weights that are
+    /// negative, not finite or sum to 0, each with its point.
     [[nodiscard]] static Result<Binding> by_weights(const Pose& pose, std::span<const Vec3> points,
                                                     std::span<const std::uint32_t> joints,
                                                     std::span<const float> weights);
@@ -37,13 +38,14 @@ class Binding {
     [[nodiscard]] std::size_t size() const { return bonds_.size(); }
 
   private:
-    static constexpr std::size_t most = 4;
+    static constexpr std::size_t most = 8;
     struct Bond {
         std::array<std::uint32_t, most> joints{};
         std::array<float, most> weights{};  // descending, sum to 1; 0 ends the list
         std::array<Vector3, most> local;    // the point in each joint's frame
     };
-    static Bond bond(const Pose& pose, const Vector3& point, std::span<const float> weight_of_joint);
+    static Bond bond(const Pose& pose, const Vector3& point, std::span<const float> weight_of_joint,
+                     std::size_t kept);
 
     std::vector<Bond> bonds_;
 };

@@ -89,8 +89,19 @@ class LimbMaker {
             end(joints_[hand], tip, 1.1f * wrist * upper_arm));
         bone_of(thigh, shin, thigh_top * bone(thigh, shin), knee * bone(thigh, shin));
         bone_of(shin, foot, calf_top * calf, ankle * calf);
-        const float toes = toe * bone(foot, part(Part::left_toes));
-        add(end(joints_[foot], at(foot), ankle * calf), end(joints_[foot], at(part(Part::left_toes)), toes));
+        const Vector3 toes = joints_.has_toes(left) ? at(part(Part::left_toes)) : toes_of(foot);
+        add(end(joints_[foot], at(foot), ankle * calf),
+            end(joints_[foot], toes, toe * (toes - at(foot)).norm()));
+    }
+
+    /// Where toes begin on a rig without them: at the foot's end, or else ahead of the ankle and below it, in
+    /// proportion to the leg.
+    [[nodiscard]] Vector3 toes_of(Part foot) const {
+        const Vector3 found = farthest(joints_[foot]);
+        if ((found - at(foot)).norm() > 0.05f * leg_) return found;
+        const Vector3 to_left = at(Part::left_thigh) - at(Part::right_thigh);
+        const Vector3 ahead = to_left.cross(Vector3::UnitY()).stableNormalized();
+        return at(foot) + leg_ * (0.14f * ahead - 0.05f * Vector3::UnitY());
     }
 
     /// Position of the joint's descendant that is farthest from it; its own position without descendants.
@@ -135,6 +146,7 @@ Result<Body> Body::create(const Skeleton& skeleton) {
                                                            {Part::right_shin, Part::right_foot},
                                                            {Part::right_foot, Part::right_toes}}};
     for (const auto& [from, to] : bones) {
+        if ((*joints)[from] == (*joints)[to]) continue;  // a foot without toes
         const float length = maker.bone(from, to);
         if (length >= 0.01f && length <= 10) continue;
         return Error{ErrorCode::malformed_file, "the joints " + skeleton.joints[(*joints)[from]].name +

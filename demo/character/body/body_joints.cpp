@@ -68,7 +68,10 @@ Result<BodyJoints> find_body_joints(const Skeleton& skeleton) {
             found = true;
             break;
         }
-        if (found) continue;
+        const bool is_toes = part == static_cast<std::size_t>(Part::left_toes) ||
+                             part == static_cast<std::size_t>(Part::right_toes);
+        if (is_toes && !found) joints.of_part[part] = joints.of_part[part - 1];  // the foot
+        if (is_toes || found) continue;
         missing += missing.empty() ? "" : "; ";
         for (const std::string& name : names) missing += (&name == &names.front() ? "" : " or ") + name;
     }

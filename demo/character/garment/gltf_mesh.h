@@ -1,5 +1,5 @@
 #pragma once
-// Triangles from a glTF 2.0 file, without its skins.
+// Triangles from a glTF 2.0 file, as cloth.
 
 #include <filesystem>
 
@@ -14,8 +14,8 @@ namespace weft::demo {
 /// Whether a glTF file has a skin with joints: somebody who wears something. False where it cannot be read.
 [[nodiscard]] bool has_skin(const std::filesystem::path& file);
 
-/// All triangles of .gltf or .glb, where its nodes put them, +Y up [m]. Errors name the file and what it
-/// lacks: triangles in a node's mesh, positions.
+/// All triangles of .gltf or .glb, where its nodes and skins put them, +Y up [m]. Errors name the file and
+/// what it lacks: triangles in a node's mesh, positions.
 [[nodiscard]] Result<Mesh> read_gltf_mesh(const std::filesystem::path& file);
 
 }  // namespace weft::demo

@@ -49,6 +49,27 @@ TEST(BodyJoints, AreFoundByTheNamesOfThreeSources) {
               plain->of_part.size());
 }
 
+TEST(BodyJoints, FeetWithoutToesPointAhead) {
+    const Body with_toes = Body::create(plain_skeleton()).value();
+    for (const bool has_ends : {true, false}) {
+        Skeleton skeleton = plain_skeleton();
+        std::erase_if(skeleton.joints, [](const Joint& joint) { return joint.name == "RightToes"; });
+        skeleton.joints.pop_back();  // the right toes' end, the last joint
+        if (has_ends)
+            skeleton.joints.push_back(
+                {"", static_cast<int>(*skeleton.find("RightFoot")), {0, -0.06f, 0.13f}});
+        const auto body = Body::create(skeleton);
+        ASSERT_TRUE(body.ok()) << body.error().message;
+        EXPECT_TRUE(body->joints().has_toes(true));
+        EXPECT_FALSE(body->joints().has_toes(false));
+        ASSERT_EQ(body->limbs().size(), with_toes.limbs().size());
+        const Vector3 foot = body->limbs().back().b.local;  // the right foot's tip, from the ankle
+        const Vector3 usual = with_toes.limbs().back().b.local;
+        EXPECT_LT((foot - usual).norm(), 0.03f) << foot.transpose() << " beside " << usual.transpose();
+        EXPECT_NEAR(body->limbs().back().b.radius, with_toes.limbs().back().b.radius, 0.01f);
+    }
+}
+
 TEST(BodyJoints, ThatAreMissingAreNamed) {
     Skeleton skeleton = plain_skeleton();
     for (Joint& joint : skeleton.joints) {

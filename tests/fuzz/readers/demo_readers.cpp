@@ -55,12 +55,15 @@ void check_garment(const demo::Garment& garment) {
     }
 }
 
-void check_weights(const std::vector<std::uint32_t>& joints, const std::vector<float>& weights,
-                   const Mesh& mesh, const demo::Skeleton& skeleton) {
-    must(joints.size() == 4 * mesh.positions.size() && weights.size() == joints.size(),
+void check_weights(const demo::SkinnedMesh& skinned, const demo::Skeleton& skeleton) {
+    const Mesh& mesh = skinned.mesh;
+    must(skinned.joints.size() == skinned.influences * mesh.positions.size() &&
+             skinned.weights.size() == skinned.joints.size(),
          "weights of other vertices");
-    for (const std::uint32_t joint : joints) must(joint < skeleton.size(), "a joint that is not there");
-    for (const float weight : weights) must(weight >= 0 && std::isfinite(weight), "a weight that is none");
+    for (const std::uint32_t joint : skinned.joints)
+        must(joint < skeleton.size(), "a joint that is not there");
+    for (const float weight : skinned.weights)
+        must(weight >= 0 && std::isfinite(weight), "a weight that is none");
 }
 
 /// Somebody dressed by the file, for a few steps: what their motion and garment come to is finite, or they
@@ -150,9 +153,20 @@ std::string glb(Random& random, const std::string& text, const std::string& bina
 
 /// The file in one of its forms, with its buffer in the same file, beside it, or within its text.
 path write_gltf(Random& random, const path& folder) {
-    static const demo::GltfExample example(true, 60);
+    static demo::GltfExample example(true, 60);
     static const json whole = [] {
+        const int places = example.data.add(std::vector<std::uint16_t>{0, 3}, "SCALAR", 5123, 2);
+        const int values = example.data.add(std::vector<float>(6, 0.1f), "VEC3", 5126, 2);
         json text = json::parse(example.json("worn.bin"));
+        json& primitives = text["meshes"][0]["primitives"];
+        json& body = primitives[2]["attributes"];
+        body["JOINTS_1"] = body["JOINTS_0"];
+        body["WEIGHTS_1"] = body["WEIGHTS_0"];
+        primitives[2]["mode"] = 5;
+        text["accessors"][body["POSITION"].get<std::size_t>()]["sparse"] = {
+            {"count", 2},
+            {"indices", {{"bufferView", places}, {"componentType", 5123}}},
+            {"values", {{"bufferView", values}}}};
         text["animations"][0]["samplers"][0]["interpolation"] = "LINEAR";
         text["meshes"][0]["primitives"][0]["mode"] = 4;
         text["nodes"][1]["scale"] = {1, 1, 1};
@@ -198,12 +212,10 @@ bool read_gltf_files(Random& random, const path& folder) {
         check_recording(character->recording);
         must(is_finite(character->rest.root), "a place at rest that is not finite");
         check_garment(character->garment);
-        check_weights(character->joints, character->weights, character->garment.mesh,
-                      character->recording.skeleton);
+        check_weights(character->worn, character->recording.skeleton);
         if (with_body) {
             check_mesh(character->body.mesh, "the body");
-            check_weights(character->body.joints, character->body.weights, character->body.mesh,
-                          character->recording.skeleton);
+            check_weights(character->body, character->recording.skeleton);
         }
         if (random.chance(0.05)) {
             demo::CharacterSettings settings;

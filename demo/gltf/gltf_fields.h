@@ -10,7 +10,7 @@
 
 #include "weft/error.h"
 
-namespace weft::demo {
+namespace weft {
 
 [[nodiscard]] inline Error gltf_error(const std::string& what) {
     return {ErrorCode::malformed_file, what};
@@ -39,6 +39,7 @@ class GltfFields {
     [[nodiscard]] std::vector<double> numbers(const char* key, std::size_t count) const;
     [[nodiscard]] bool flag(const char* key) const;
     [[nodiscard]] std::string text(const char* key) const;
+    [[nodiscard]] std::vector<std::string> texts(const char* key) const;  ///< of an array
 
     /// An object; an empty one where it is absent.
     [[nodiscard]] GltfFields object(const char* key) const;
@@ -66,4 +67,4 @@ class GltfFields {
     std::optional<Error>* error_;
 };
 
-}  // namespace weft::demo
+}  // namespace weft

@@ -1,4 +1,4 @@
-#include "demo/character/garment/gltf_buffers.h"
+#include "demo/gltf/gltf_buffers.h"
 
 #include <array>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <utility>
 
-namespace weft::demo {
+namespace weft {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 31;
@@ -148,4 +148,4 @@ Result<std::vector<GltfBytes>> load_buffers(const GltfFields& file, const std::f
     return buffers;
 }
 
-}  // namespace weft::demo
+}  // namespace weft

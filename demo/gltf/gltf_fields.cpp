@@ -1,4 +1,4 @@
-#include "demo/character/garment/gltf_fields.h"
+#include "demo/gltf/gltf_fields.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include "demo/json_text.h"
 
-namespace weft::demo {
+namespace weft {
 namespace {
 
 using Json = nlohmann::json;
@@ -113,6 +113,17 @@ std::string GltfFields::text(const char* key) const {
     return {};
 }
 
+std::vector<std::string> GltfFields::texts(const char* key) const {
+    std::vector<std::string> all;
+    const std::size_t count = size(key);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Json& value = (*find(key))[i];
+        if (!value.is_string()) refuse(value, element(path_of(key), i), "a string");
+        all.push_back(value.is_string() ? value.get<std::string>() : "");
+    }
+    return all;
+}
+
 GltfFields GltfFields::object(const char* key) const {
     const Json* const value = find(key);
     return {value == nullptr ? no_fields : *value, path_of(key), *error_};
@@ -164,7 +175,8 @@ std::optional<std::size_t> GltfFields::whole_of(const Json& value, const std::st
 
 void GltfFields::refuse(const Json& value, const std::string& path, const std::string& be) const {
     if (*error_) return;
-    *error_ = Error{ErrorCode::malformed_file, path + " is " + quoted_json(value) + "; it must be " + be};
+    *error_ =
+        Error{ErrorCode::malformed_file, path + " is " + demo::quoted_json(value) + "; it must be " + be};
 }
 
-}  // namespace weft::demo
+}  // namespace weft

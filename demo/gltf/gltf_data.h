@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "demo/character/garment/gltf_model.h"
+#include "demo/gltf/gltf_model.h"
 #include "weft/mesh.h"
 
-namespace weft::demo {
+namespace weft {
 
 /// All numbers of an accessor, `components` an element, normalised where the accessor says so. Error: another
-/// number of components, a sparse accessor or one without a view, a number that is not finite.
+/// number of components, an accessor with neither a view nor sparse elements, sparse elements out of order or
+/// range, a number that is not finite.
 [[nodiscard]] Result<std::vector<double>> gltf_numbers(const GltfModel& model, std::size_t accessor,
                                                        std::size_t components);
 
@@ -19,17 +20,23 @@ namespace weft::demo {
 [[nodiscard]] Result<std::vector<std::uint32_t>> gltf_indices(const GltfModel& model, std::size_t accessor,
                                                               std::size_t components, std::size_t size);
 
-/// The triangles of a primitive with `vertices` vertices; errors name its material, `name`. Error: the
-/// primitive is not of triangles, or has an index of no vertex.
+/// The triangles of a primitive with `vertices` vertices, all wound alike. Those of strips and fans that have
+/// two equal corners are left out: they only join strips. Error: the primitive is not of triangles, or has an
+/// index of no vertex.
 [[nodiscard]] Result<std::vector<Triangle>> gltf_triangles(const GltfModel& model,
                                                            const GltfPrimitive& primitive,
-                                                           std::size_t vertices, const std::string& name);
+                                                           std::size_t vertices);
 
-/// Appends positions and triangles to a mesh. Error: a vertex farther out than cloth may be (coordinates.h);
-/// more vertices or triangles than a mesh may have (mesh_limits.h), which a small file can ask for by naming
-/// one accessor many times.
-[[nodiscard]] Result<void> add_part(std::span<const Vec3> positions, std::span<const Triangle> triangles,
-                                    Mesh& to);
+/// Vertices and triangles of all parts so far.
+struct GltfSize {
+    std::size_t vertices = 0, triangles = 0;
+};
+
+/// Adds a part's size, and refuses a part with a vertex farther out than cloth may be (coordinates.h), or by
+/// which all are larger than a mesh may be (mesh_limits.h), which a small file can ask for by naming one
+/// accessor many times.
+[[nodiscard]] Result<void> count_part(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                                      GltfSize& all);
 
 [[nodiscard]] std::vector<NodePlace> gltf_places(const GltfModel& model);
 /// Transforms from each node's axes to the World's. Error: a node farther out than cloth may be
@@ -59,4 +66,4 @@ class GltfAnimation {
     double duration_ = 0;
 };
 
-}  // namespace weft::demo
+}  // namespace weft

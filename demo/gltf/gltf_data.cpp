@@ -1,4 +1,4 @@
-#include "demo/character/garment/gltf_data.h"
+#include "demo/gltf/gltf_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include "cloth/mesh/coordinates.h"
 #include "cloth/mesh/mesh_limits.h"
-#include "demo/character/garment/gltf_fields.h"
+#include "demo/gltf/gltf_fields.h"
 
-namespace weft::demo {
+namespace weft {
 namespace {
 
 constexpr std::size_t most_numbers = std::size_t{1} << 26;  // of an animation
@@ -55,100 +55,131 @@ Eigen::Quaternionf four(const std::vector<double>& values, std::size_t first) {
     return q.norm() > 1e-6 ? q.normalized().cast<float>() : Eigen::Quaternionf::Identity();
 }
 
-/// Calls `take(number, element)` for all numbers of an accessor, in order. load_gltf has checked their range.
+/// Calls `take(number, i, component)` for numbers that lie in a view, in order. read_gltf_model() has checked
+/// their range.
 template <class Take>
-Result<void> for_each_number(const GltfModel& model, std::size_t index, std::size_t components,
-                             bool normalised, const Take& take) {
-    const GltfAccessor& accessor = model.accessors[index];
-    if (accessor.sparse || !accessor.view)
-        return gltf_error(name_of(index) + (accessor.sparse ? " is sparse" : " has no bufferView") +
-                          "; only plain values can be read");
+void for_each_in_view(const GltfModel& model, const GltfAccessor& of, std::size_t of_view, const Take& take) {
+    const GltfView& view = model.views[of_view];
+    const std::size_t size = bytes_of(of.type),
+                      stride = view.stride == 0 ? size * of.components : view.stride;
+    const unsigned char* const first = model.buffers[view.buffer].data() + view.offset + of.offset;
+    for (std::size_t i = 0; i < of.count; ++i)
+        for (std::size_t c = 0; c < of.components; ++c)
+            take(number_of_type(first + i * stride + c * size, of.type, of.normalised), i, c);
+}
+
+/// The elements that a sparse accessor replaces.
+Result<std::vector<std::size_t>> sparse_elements(const GltfModel& model, std::size_t index) {
+    const GltfSparse& sparse = *model.accessors[index].sparse;
+    const auto count = static_cast<double>(model.accessors[index].count);
+    std::vector<double> read;
+    for_each_in_view(model, {.offset = sparse.index_offset, .count = sparse.count, .type = sparse.index_type},
+                     sparse.index_view,
+                     [&](double number, std::size_t, std::size_t) { read.push_back(number); });
+    std::vector<std::size_t> elements;
+    for (const double number : read) {
+        if (!(number >= 0 && number < count))
+            return gltf_error(name_of(index) + ".sparse has index " + std::to_string(number) +
+                              "; there are " + std::to_string(model.accessors[index].count));
+        elements.push_back(static_cast<std::size_t>(number));
+    }
+    return elements;
+}
+
+/// All numbers of an accessor, in order, of which none is checked.
+Result<std::vector<double>> raw_numbers(const GltfModel& model, std::size_t index, std::size_t components,
+                                        bool normalised) {
+    GltfAccessor accessor = model.accessors[index];
+    accessor.normalised = normalised;
+    if (!accessor.sparse && !accessor.view)
+        return gltf_error(name_of(index) + " has neither a bufferView nor sparse values");
     if (accessor.components != components)
         return gltf_error(name_of(index) + " has " + std::to_string(accessor.components) +
                           " components; it must have " + std::to_string(components));
-    const GltfView& view = model.views[*accessor.view];
-    const std::size_t size = accessor.component_bytes(),
-                      stride = view.stride == 0 ? size * components : view.stride;
-    const unsigned char* const first = model.buffers[view.buffer].data() + view.offset + accessor.offset;
-    for (std::size_t i = 0; i < accessor.count; ++i)
-        for (std::size_t c = 0; c < components; ++c)
-            if (auto taken =
-                    take(number_of_type(first + i * stride + c * size, accessor.type, normalised), i);
-                !taken)
-                return taken;
-    return {};
+    std::vector<double> numbers(accessor.count * components);
+    if (accessor.view)
+        for_each_in_view(model, accessor, *accessor.view, [&](double number, std::size_t i, std::size_t c) {
+            numbers[i * components + c] = number;
+        });
+    if (!accessor.sparse) return numbers;
+    const auto elements = sparse_elements(model, index);
+    if (!elements) return elements.error();
+    accessor.offset = accessor.sparse->value_offset;
+    accessor.count = elements->size();
+    for_each_in_view(model, accessor, accessor.sparse->value_view,
+                     [&](double number, std::size_t i, std::size_t c) {
+                         numbers[(*elements)[i] * components + c] = number;
+                     });
+    return numbers;
 }
 
 }  // namespace
 
 Result<std::vector<double>> gltf_numbers(const GltfModel& model, std::size_t accessor,
                                          std::size_t components) {
-    std::vector<double> numbers;
-    const auto take = [&](double number, std::size_t element) -> Result<void> {
-        if (!std::isfinite(number))
-            return gltf_error(name_of(accessor) + " has a number that is not finite, in element " +
-                              std::to_string(element));
-        numbers.push_back(number);
-        return {};
-    };
-    const bool normalised = model.accessors[accessor].normalised;
-    if (auto read = for_each_number(model, accessor, components, normalised, take); !read)
-        return read.error();
-    return numbers;
+    auto numbers = raw_numbers(model, accessor, components, model.accessors[accessor].normalised);
+    if (!numbers) return numbers;
+    const auto wrong = std::ranges::find_if_not(*numbers, [](double n) { return std::isfinite(n); });
+    if (wrong == numbers->end()) return numbers;
+    return gltf_error(name_of(accessor) + " has a number that is not finite, in element " +
+                      std::to_string(static_cast<std::size_t>(wrong - numbers->begin()) / components));
 }
 
 Result<std::vector<std::uint32_t>> gltf_indices(const GltfModel& model, std::size_t accessor,
                                                 std::size_t components, std::size_t size) {
+    const auto numbers = raw_numbers(model, accessor, components, false);
+    if (!numbers) return numbers.error();
     std::vector<std::uint32_t> indices;
-    const auto take = [&](double number, std::size_t element) -> Result<void> {
+    indices.reserve(numbers->size());
+    for (const double number : *numbers) {
         if (!(number >= 0 && number < static_cast<double>(size)) || number != std::floor(number))
             return gltf_error(name_of(accessor) + " has index " + std::to_string(number) + ", in element " +
-                              std::to_string(element) + "; there are " + std::to_string(size));
+                              std::to_string(indices.size() / components) + "; there are " +
+                              std::to_string(size));
         indices.push_back(static_cast<std::uint32_t>(number));
-        return {};
-    };
-    if (auto read = for_each_number(model, accessor, components, false, take); !read) return read.error();
+    }
     return indices;
 }
 
 Result<std::vector<Triangle>> gltf_triangles(const GltfModel& model, const GltfPrimitive& primitive,
-                                             std::size_t vertices, const std::string& name) {
-    const auto in_primitive = [&](const std::string& what) {
-        return gltf_error("the primitive of material " + name + " " + what);
-    };
-    if (!primitive.is_of_triangles) return in_primitive("is not of triangles");
+                                             std::size_t vertices) {
+    if (!primitive.triangles) return gltf_error("it is not of triangles");
     std::vector<std::uint32_t> indices;
     if (primitive.indices) {
         auto read = gltf_indices(model, *primitive.indices, 1, vertices);
-        if (!read)
-            return in_primitive("of " + std::to_string(vertices) + " vertices: " + read.error().message);
+        if (!read) return gltf_error("of " + std::to_string(vertices) + " vertices: " + read.error().message);
         indices = *std::move(read);
     } else {
         for (std::size_t v = 0; v < vertices; ++v) indices.push_back(static_cast<std::uint32_t>(v));
     }
-    if (indices.size() % 3 != 0)
-        return in_primitive("has " + std::to_string(indices.size()) +
-                            " corners; they must be three a triangle");
-    std::vector<Triangle> triangles(indices.size() / 3);
-    for (std::size_t i = 0; i < indices.size(); ++i) triangles[i / 3][i % 3] = indices[i];
+    const bool is_list = primitive.triangles == GltfTriangles::list;
+    const bool is_strip = primitive.triangles == GltfTriangles::strip;
+    if (is_list && indices.size() % 3 != 0)
+        return gltf_error("there are " + std::to_string(indices.size()) +
+                          " corners; they must be three a triangle");
+    std::vector<Triangle> triangles;
+    for (std::size_t i = 2; i < indices.size(); i += is_list ? 3 : 1) {
+        Triangle t{indices[i - 2], indices[i - 1], indices[i]};
+        if (is_strip && i % 2 == 1) std::swap(t[0], t[1]);  // every other triangle of a strip is turned over
+        if (primitive.triangles == GltfTriangles::fan) t[0] = indices[0];
+        if (is_list || (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])) triangles.push_back(t);
+    }
     return triangles;
 }
 
-Result<void> add_part(std::span<const Vec3> positions, std::span<const Triangle> triangles, Mesh& to) {
-    const std::size_t first = to.positions.size();
-    if (positions.size() > most_vertices - first || triangles.size() > most_triangles - to.triangles.size())
+Result<void> count_part(std::span<const Vec3> positions, std::span<const Triangle> triangles, GltfSize& all) {
+    if (positions.size() > most_vertices - all.vertices || triangles.size() > most_triangles - all.triangles)
         return Error{ErrorCode::invalid_mesh, "there are more than " + std::to_string(most_vertices) +
                                                   " vertices or " + std::to_string(most_triangles) +
                                                   " triangles, with those that are named many times; a mesh "
                                                   "may have so many"};
+    all.vertices += positions.size();
+    all.triangles += triangles.size();
     for (const Vec3& p : positions)
         if (!(to_vector(p).cwiseAbs().maxCoeff() <= runaway_distance))
             return gltf_error("vertex " + std::to_string(&p - positions.data()) + " comes to stand at (" +
                               std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
                               ") m; it must be within " + std::to_string(runaway_distance) + " m");
-    to.positions.insert(to.positions.end(), positions.begin(), positions.end());
-    const auto moved = [&](std::uint32_t v) { return static_cast<std::uint32_t>(first + v); };
-    for (const auto& [a, b, c] : triangles) to.triangles.push_back({moved(a), moved(b), moved(c)});
     return {};
 }
 
@@ -234,4 +265,4 @@ void GltfAnimation::pose(double time, std::vector<NodePlace>& places) const {
     }
 }
 
-}  // namespace weft::demo
+}  // namespace weft

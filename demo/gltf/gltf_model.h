@@ -12,7 +12,7 @@
 #include "engine/vector.h"
 #include "weft/error.h"
 
-namespace weft::demo {
+namespace weft {
 
 /// The format's numbers for types of components.
 enum class GltfType : std::uint16_t { i8 = 5120, u8, i16, u16, u32 = 5125, f32 };
@@ -22,15 +22,24 @@ struct GltfView {
     std::size_t stride = 0;  ///< [bytes]; 0: elements are packed
 };
 
+/// Elements of an accessor that differ from those of its view, or from 0 without a view.
+struct GltfSparse {
+    std::size_t count = 0;
+    std::size_t index_view = 0, index_offset = 0;  ///< of the elements' indices, packed
+    GltfType index_type = GltfType::u32;
+    std::size_t value_view = 0, value_offset = 0;  ///< of the elements, packed
+};
+
+[[nodiscard]] std::size_t bytes_of(GltfType type);
+
 struct GltfAccessor {
-    std::optional<std::size_t> view;  ///< none: its values are elsewhere, by an extension, or all zero
+    std::optional<std::size_t> view{};  ///< none: its values are elsewhere, by an extension, or 0
     std::size_t offset = 0;           ///< in the view [bytes]
     std::size_t count = 0;            ///< elements
     GltfType type = GltfType::f32;
     std::size_t components = 1;  ///< of an element, 1 to 16
-    bool normalised = false, sparse = false;
-
-    [[nodiscard]] std::size_t component_bytes() const;
+    bool normalised = false;
+    std::optional<GltfSparse> sparse{};
 };
 
 /// A node's local transform: scale, then rotation, then translation.
@@ -46,10 +55,20 @@ struct GltfNode {
     std::optional<std::size_t> parent, mesh, skin;
 };
 
+/// How corners follow one another; the format's numbers.
+enum class GltfTriangles : std::uint8_t { list = 4, strip, fan };
+
+/// Data compressed by Draco.
+struct GltfCompressed {
+    std::size_t view = 0;
+    std::vector<std::pair<std::string, std::size_t>> attributes;  ///< names and Draco's unique ids
+};
+
 struct GltfPrimitive {
     std::vector<std::pair<std::string, std::size_t>> attributes;  ///< names and accessors
     std::optional<std::size_t> indices, material;
-    bool is_of_triangles = true;
+    std::optional<GltfTriangles> triangles;  ///< none: points or lines
+    std::optional<GltfCompressed> compressed;
 
     [[nodiscard]] std::optional<std::size_t> attribute(const std::string& name) const;
 };
@@ -89,6 +108,6 @@ struct GltfModel {
 /// pictures are ignored. Errors name the file and the value: what cannot be read or is no glTF 2, a value
 /// of the wrong kind or out of its range, an index that leads nowhere, a range beyond its buffer, a node that
 /// has two parents or is its own ancestor.
-[[nodiscard]] Result<GltfModel> load_gltf(const std::filesystem::path& file);
+[[nodiscard]] Result<GltfModel> read_gltf_model(const std::filesystem::path& file);
 
-}  // namespace weft::demo
+}  // namespace weft

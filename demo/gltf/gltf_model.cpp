@@ -1,4 +1,4 @@
-#include "demo/character/garment/gltf_model.h"
+#include "demo/gltf/gltf_model.h"
 
 #include <algorithm>
 #include <array>
@@ -7,14 +7,16 @@
 #include <set>
 #include <string_view>
 
-#include "demo/character/garment/gltf_buffers.h"
-#include "demo/character/garment/gltf_fields.h"
+#include "demo/gltf/gltf_buffers.h"
+#include "demo/gltf/gltf_draco.h"
+#include "demo/gltf/gltf_fields.h"
 #include "demo/json_text.h"
 
-namespace weft::demo {
+namespace weft {
 namespace {
 
 constexpr double most_float = std::numeric_limits<float>::max();
+constexpr std::size_t most_zeros = std::size_t{1} << 20;  // elements of an accessor that has no bytes
 
 /// Index of the key's text among `names`; none, and an error, for any other text.
 template <std::size_t n>
@@ -75,19 +77,49 @@ class ModelReader {
         accessor.offset = from.whole("byteOffset", 0);
         accessor.count = from.whole("count", 0);
         accessor.normalised = from.flag("normalized");
-        accessor.sparse = from.has("sparse");
         accessor.components = components[choice(from, "type", shapes).value_or(0)];
-        const std::size_t type = from.whole("componentType", 0);
-        const bool is_known = type >= 5120 && type <= 5126 && type != 5124;
-        if (!is_known) from.must("componentType", "5120, 5121, 5122, 5123, 5125 or 5126");
-        accessor.type = is_known ? static_cast<GltfType>(type) : GltfType::f32;
-        if (accessor.view && *accessor.view < model_.views.size())
-            check_range(from, accessor, model_.views[*accessor.view]);
+        accessor.type = component_type(from);
+        if (accessor.view) check_range(from, accessor, *accessor.view);
+        if (from.has("sparse")) accessor.sparse = sparse(from.object("sparse"), accessor);
+        if (accessor.sparse && !accessor.view && accessor.count > most_zeros)
+            from.complain("has " + std::to_string(accessor.count) +
+                          " elements and no bufferView; there may be " + std::to_string(most_zeros));
         return accessor;
     }
 
-    static void check_range(const GltfFields& from, const GltfAccessor& accessor, const GltfView& view) {
-        const std::size_t element = accessor.component_bytes() * accessor.components;
+    static GltfType component_type(const GltfFields& from) {
+        const std::size_t type = from.whole("componentType", 0);
+        if (type >= 5120 && type <= 5126 && type != 5124) return static_cast<GltfType>(type);
+        from.must("componentType", "5120, 5121, 5122, 5123, 5125 or 5126");
+        return GltfType::f32;
+    }
+
+    GltfSparse sparse(const GltfFields& from, const GltfAccessor& of) const {
+        const GltfFields indices = from.object("indices"), values = from.object("values");
+        GltfSparse sparse;
+        sparse.count = from.whole("count", 0, of.count);
+        sparse.index_view = indices.needed_index("bufferView", file_.size("bufferViews"));
+        sparse.index_offset = indices.whole("byteOffset", 0);
+        sparse.index_type = component_type(indices);
+        sparse.value_view = values.needed_index("bufferView", file_.size("bufferViews"));
+        sparse.value_offset = values.whole("byteOffset", 0);
+        check_range(indices,
+                    {.offset = sparse.index_offset, .count = sparse.count, .type = sparse.index_type},
+                    sparse.index_view);
+        check_range(values,
+                    {.offset = sparse.value_offset,
+                     .count = sparse.count,
+                     .type = of.type,
+                     .components = of.components},
+                    sparse.value_view);
+        return sparse;
+    }
+
+    /// Complains of elements that do not lie within a view. A view that is not there has been complained of.
+    void check_range(const GltfFields& from, const GltfAccessor& accessor, std::size_t of_view) const {
+        if (of_view >= model_.views.size()) return;
+        const GltfView& view = model_.views[of_view];
+        const std::size_t element = bytes_of(accessor.type) * accessor.components;
         const std::size_t stride = view.stride == 0 ? element : view.stride;
         if (stride < element)
             from.complain("has elements of " + std::to_string(element) + " bytes; its view has one every " +
@@ -172,14 +204,20 @@ class ModelReader {
     }
 
     std::vector<GltfPrimitive> mesh(const GltfFields& from) const {
-        constexpr std::size_t triangles = 4, most = 6;
+        constexpr std::size_t triangles = 4, most = 6, most_ids = std::size_t{1} << 32;
         std::vector<GltfPrimitive> primitives;
         for (const GltfFields& each : from.objects("primitives")) {
             GltfPrimitive primitive;
             primitive.attributes = each.named_indices("attributes", model_.accessors.size());
             primitive.indices = each.index("indices", model_.accessors.size());
             primitive.material = each.index("material", model_.materials.size());
-            primitive.is_of_triangles = each.whole("mode", triangles, most) == triangles;
+            const std::size_t mode = each.whole("mode", triangles, most);
+            if (mode >= triangles) primitive.triangles = static_cast<GltfTriangles>(mode);
+            const GltfFields extensions = each.object("extensions");
+            if (constexpr auto draco = "KHR_draco_mesh_compression"; extensions.has(draco))
+                primitive.compressed =
+                    GltfCompressed{extensions.object(draco).needed_index("bufferView", model_.views.size()),
+                                   extensions.object(draco).named_indices("attributes", most_ids)};
             primitives.push_back(std::move(primitive));
         }
         return primitives;
@@ -229,27 +267,38 @@ class ModelReader {
     GltfModel model_;
 };
 
+/// Complains of extensions without which the file's meshes cannot be read. Those of materials do not matter.
+void check_extensions(const GltfFields& file) {
+    for (const std::string& name : file.texts("extensionsRequired"))
+        if (name.find("meshopt_compression") != name.npos || name.find("mesh_gpu_instancing") != name.npos ||
+            (!has_draco && name.find("draco") != name.npos))
+            file.complain("requires " + name + ", which cannot be read; export it without");
+}
+
 Result<GltfModel> read_model(const GltfContainer& container, const std::filesystem::path& folder) {
-    const auto json = parse_json<nlohmann::json>(container.json);
+    const auto json = demo::parse_json<nlohmann::json>(container.json);
     if (!json)
         return Error{ErrorCode::malformed_file, "is no glTF file: it is no JSON, or is nested more than " +
-                                                    std::to_string(deepest_json) + " deep"};
+                                                    std::to_string(demo::deepest_json) + " deep"};
     std::optional<Error> error;
     const GltfFields file(*json, "", error);
     const GltfFields asset = file.object("asset");
     if (!asset.text("version").starts_with("2.")) asset.must("version", "\"2.0\"");
+    if (error) return *error;
+    check_extensions(file);
     if (error) return *error;
     auto buffers = load_buffers(file, folder, container.binary);
     if (error) return *error;
     if (!buffers) return buffers.error();
     GltfModel model = ModelReader(file, *std::move(buffers)).read();
     if (error) return *error;
+    if (auto decoded = decode_draco(model); !decoded) return decoded.error();
     return model;
 }
 
 }  // namespace
 
-std::size_t GltfAccessor::component_bytes() const {
+std::size_t bytes_of(GltfType type) {
     return type == GltfType::i8 || type == GltfType::u8     ? 1
            : type == GltfType::i16 || type == GltfType::u16 ? 2
                                                             : 4;
@@ -260,7 +309,7 @@ std::optional<std::size_t> GltfPrimitive::attribute(const std::string& name) con
     return found == attributes.end() ? std::nullopt : std::optional(found->second);
 }
 
-Result<GltfModel> load_gltf(const std::filesystem::path& file) {
+Result<GltfModel> read_gltf_model(const std::filesystem::path& file) {
     const auto bytes = read_bytes(file);
     if (!bytes) return bytes.error();
     const auto in_file = [&](const Error& error) {
@@ -273,4 +322,4 @@ Result<GltfModel> load_gltf(const std::filesystem::path& file) {
     return model;
 }
 
-}  // namespace weft::demo
+}  // namespace weft

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "demo/character/garment/gltf_fields.h"
+#include "demo/gltf/gltf_fields.h"
 #include "weft/error.h"
 
-namespace weft::demo {
+namespace weft {
 
 using GltfBytes = std::vector<unsigned char>;
 
@@ -31,4 +31,4 @@ struct GltfContainer {
                                                           const std::filesystem::path& folder,
                                                           std::optional<std::string_view> binary);
 
-}  // namespace weft::demo
+}  // namespace weft

@@ -1,0 +1,16 @@
+#pragma once
+// Primitives that are compressed by Draco (KHR_draco_mesh_compression).
+
+#include "demo/gltf/gltf_model.h"
+
+namespace weft {
+
+/// Whether Weft was built with Draco.
+extern const bool has_draco;
+
+/// Decodes compressed primitives: their data become buffers, views and accessors like any others. Without
+/// Draco they keep their uncompressed data, if they have any. Error: names the mesh and what is wrong with
+/// it; data that is compressed only, without Draco.
+[[nodiscard]] Result<void> decode_draco(GltfModel& model);
+
+}  // namespace weft
