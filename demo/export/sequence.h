@@ -4,12 +4,14 @@
 #include <optional>
 
 #include "demo/export/point_cache.h"
+#include "demo/export/usd_text.h"
 #include "demo/scene_simulation.h"
 
 namespace weft::demo {
 
 enum class SequenceFormat : std::uint8_t {
     obj,  ///< frame_000000.obj and so on
+    usd,  ///< sequence.usda: one mesh with all frames, normals and a material
     pc2,  ///< sequence.obj, the first frame, and sequence.pc2, the positions of its vertices in all frames
 };
 
@@ -32,6 +34,7 @@ class Sequence {
     SequenceFormat format_;
     std::filesystem::path folder_;
     std::optional<PointCache> cache_;
+    std::optional<UsdText> usd_;
     int frame_ = 0;
 };
 

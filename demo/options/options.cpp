@@ -32,12 +32,13 @@ void describe(CLI::App& app, Options& options) {
         ->check(CLI::Range(-360.0, 360.0));
     app.add_option("--out", options.out, "Folder for what a headless run leaves (default: out)")
         ->type_name("DIR");
-    const std::map<std::string, SequenceFormat> formats{{"obj", SequenceFormat::obj},
-                                                        {"pc2", SequenceFormat::pc2}};
-    app.add_option("--export", options.sequence,
-                   "Headless: leave the cloth of every frame in --out, as OBJ files or as one PC2 cache")
+    const std::map<std::string, SequenceFormat> formats{
+        {"obj", SequenceFormat::obj}, {"pc2", SequenceFormat::pc2}, {"usd", SequenceFormat::usd}};
+    app.add_option(
+           "--export", options.sequence,
+           "Headless: leave the cloth of every frame in --out, as OBJ files, one PC2 cache or one USD file")
         ->needs("--headless")
-        ->transform(CLI::CheckedTransformer(formats).description("obj or pc2"));
+        ->transform(CLI::CheckedTransformer(formats).description("obj, pc2 or usd"));
     app.add_option_function<std::string>(
            "--size",
            [&options](const std::string& text) {
