@@ -88,7 +88,8 @@ void UsdText::write_head(const Mesh& mesh, const Vec3& colour, float roughness, 
         });
         stream_ << " (\n            interpolation = \"vertex\"\n        )";
     }
-    stream_ << "\n        point3f[] points.timeSamples = {\n";
+    stream_ << "\n        normal3f[] normals (\n            interpolation = \"vertex\"\n        )"
+            << "\n        point3f[] points.timeSamples = {\n";
 }
 
 Result<void> UsdText::add(std::span<const Vec3> points) {
@@ -112,7 +113,7 @@ Result<void> UsdText::close() {
     normals_.seekg(0);
     stream_ << "        }\n        normal3f[] normals.timeSamples = {\n";
     if (frames_ > 0) stream_ << normals_.rdbuf();
-    stream_ << "        } (\n            interpolation = \"vertex\"\n        )\n    }\n}\n";
+    stream_ << "        }\n    }\n}\n";
     stream_.seekp(end_at_);
     stream_ << std::max(frames_ - 1, 0);
     stream_.flush();
