@@ -75,6 +75,9 @@ void weft_seam_settings_init(WeftSeamSettings* settings, size_t struct_size) {
 void weft_sheet_settings_init(WeftSheetSettings* settings, size_t struct_size) {
     init<weft::SheetSettings>(settings, struct_size);
 }
+void weft_proxy_settings_init(WeftProxySettings* settings, size_t struct_size) {
+    init<weft::ProxySettings>(settings, struct_size);
+}
 void weft_drawn_mesh_settings_init(WeftDrawnMeshSettings* settings, size_t struct_size) {
     init<weft::DrawnMeshSettings>(settings, struct_size);
 }

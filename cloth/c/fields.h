@@ -19,6 +19,10 @@ WEFT_FIELDS_OF(SheetSettings) {
     WEFT_FIELD(u);
     WEFT_FIELD(v);
 }
+WEFT_FIELDS_OF(ProxySettings) {
+    WEFT_FIELD(particles);
+    WEFT_FIELD(thickness);
+}
 WEFT_FIELDS_OF(DrawnMeshSettings) {
     WEFT_FIELD(rounding);
     WEFT_FIELD(reach);

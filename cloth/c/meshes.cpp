@@ -80,6 +80,25 @@ WeftResult weft_mesh_load_obj(const char* file, WeftBool texcoords_are_pattern, 
     });
 }
 
+WeftResult weft_mesh_make_proxy(const WeftMesh* fine, const WeftProxySettings* settings,
+                                WeftProxyReport* report, WeftMesh** mesh) {
+    return guarded([&]() -> weft::Result<void> {
+        if (auto there = are_there({{fine, "fine"}, {mesh, "mesh"}}); !there) return there;
+        if (report != nullptr)
+            if (auto valid = check_size<WeftProxyReport>("report", report->struct_size); !valid) return valid;
+        const auto of = take<weft::ProxySettings>("settings", settings);
+        if (!of) return of.error();
+        weft::ProxyReport made;
+        if (auto done = put_handle(weft::make_proxy(fine->mesh, *of, &made), mesh); !done) return done;
+        if (report == nullptr) return {};
+        return fill(
+            "report",
+            WeftProxyReport{0, made.cell, made.shortest_edge, made.longest_edge, made.parts,
+                            made.left_out_parts, made.left_out_triangles, made.closed_holes, made.reach},
+            report);
+    });
+}
+
 WeftResult weft_mesh_save_obj(const WeftMesh* mesh, const char* file) {
     return guarded([&]() -> weft::Result<void> {
         if (auto there = are_there({{mesh, "mesh"}, {file, "file"}}); !there) return there;

@@ -34,6 +34,7 @@
 #include "weft/mesh.h"
 #include "weft/numbers.h"
 #include "weft/profile.h"
+#include "weft/proxy.h"
 #include "weft/query.h"
 #include "weft/recording.h"
 #include "weft/report.h"

@@ -48,6 +48,7 @@ WEFT_API void weft_body_settings_init(WeftBodySettings* settings, size_t struct_
 WEFT_API void weft_seam_settings_init(WeftSeamSettings* settings, size_t struct_size);
 WEFT_API void weft_body_state_init(WeftBodyState* state, size_t struct_size);
 WEFT_API void weft_sheet_settings_init(WeftSheetSettings* settings, size_t struct_size);
+WEFT_API void weft_proxy_settings_init(WeftProxySettings* settings, size_t struct_size);
 WEFT_API void weft_drawn_mesh_settings_init(WeftDrawnMeshSettings* settings, size_t struct_size);
 WEFT_API void weft_fixed_step_settings_init(WeftFixedStepSettings* settings, size_t struct_size);
 // Sets the identity, which moves nothing.
@@ -73,6 +74,9 @@ WEFT_API WeftResult weft_mesh_make_sheet(const WeftSheetSettings* settings, Weft
 // report may be null. texcoords_are_pattern: ObjOptions.
 WEFT_API WeftResult weft_mesh_load_obj(const char* file, WeftBool texcoords_are_pattern,
                                        WeftObjReport* report, WeftMesh** mesh);
+// report may be null.
+WEFT_API WeftResult weft_mesh_make_proxy(const WeftMesh* fine, const WeftProxySettings* settings,
+                                         WeftProxyReport* report, WeftMesh** mesh);
 WEFT_API WeftResult weft_mesh_save_obj(const WeftMesh* mesh, const char* file);
 WEFT_API WeftResult weft_mesh_view(const WeftMesh* mesh, WeftMeshView* view);
 WEFT_API void weft_mesh_destroy(WeftMesh* mesh);

@@ -40,7 +40,7 @@ struct Cage {
 struct PointAndNormal {
     Vector3 p, n;
 };
-inline PointAndNormal flat(float u, float v) {
+inline PointAndNormal flat_place(float u, float v) {
     return {{u, v, 0}, {0, 0, 1}};
 }
 /// On a cylinder of radius 0.4 about the y axis.

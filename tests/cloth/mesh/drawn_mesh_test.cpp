@@ -43,7 +43,7 @@ TEST(DrawnMesh, IsWhereItWasBound) {
 }
 
 TEST(DrawnMesh, StaysFlatWithTheCage) {
-    const Cage cage(6, flat), wider(6, [](float u, float v) {
+    const Cage cage(6, flat_place), wider(6, [](float u, float v) {
         return PointAndNormal{{2 * u, v, 0}, {0, 0, 1}};
     });
     const Fine fine(31, 0.02f);
@@ -88,7 +88,7 @@ TEST(DrawnMesh, GoesAlongWithAnyRigidMotion) {
 
 /// The greatest distance of drawn vertices from the cylinder that the cage is bent to.
 float error_on_cylinder(std::uint32_t cells, float rounding, float height = 0) {
-    const Cage rest(cells, flat), round(cells, bent);
+    const Cage rest(cells, flat_place), round(cells, bent);
     const Fine fine(60, height);
     const auto mesh = DrawnMesh::bind(rest.view, fine.surface(), {.rounding = rounding});
     Drawn drawn(mesh->size());
@@ -109,7 +109,7 @@ TEST(DrawnMesh, IsRoundedWhereTheCageIsBent) {
 }
 
 TEST(DrawnMesh, HasTheSurfacesNormalsAndTangents) {
-    const Cage rest(10, flat), round(10, bent);
+    const Cage rest(10, flat_place), round(10, bent);
     for (const bool mirrored : {false, true}) {
         const Fine fine(25, 0, mirrored);
         const auto mesh = DrawnMesh::bind(rest.view, fine.surface());
@@ -127,7 +127,7 @@ TEST(DrawnMesh, HasTheSurfacesNormalsAndTangents) {
 }
 
 TEST(DrawnMesh, OfTwoLayersFollowsTheOneThatFacesAsItDoes) {
-    Cage cage(4, flat);
+    Cage cage(4, flat_place);
     // A second layer 5 mm before the first, with its front to the other side.
     const auto count = static_cast<std::uint32_t>(cage.positions.size());
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -242,7 +242,7 @@ TEST(DrawnMesh, ReachesFarFromASmallCloth) {
 }
 
 TEST(DrawnMesh, NamesAllThatIsOutOfReach) {
-    const Cage cage(4, flat);
+    const Cage cage(4, flat_place);
     Fine fine(9);
     for (const std::size_t v : {3u, 40u, 41u}) fine.vertices[v].z = 1;
     auto mesh = DrawnMesh::bind(cage.view, fine.surface());
@@ -256,7 +256,7 @@ TEST(DrawnMesh, NamesAllThatIsOutOfReach) {
 }
 
 TEST(DrawnMesh, WritesThePartThatIsAskedFor) {
-    const Cage cage(4, flat);
+    const Cage cage(4, flat_place);
     const Fine fine(9);
     const auto mesh = DrawnMesh::bind(cage.view, fine.surface());
     ASSERT_TRUE(mesh.ok());
@@ -276,7 +276,9 @@ TEST(DrawnMesh, WritesThePartThatIsAskedFor) {
 }
 
 TEST(DrawnMesh, StaysFiniteOnACageOfNoArea) {
-    const Cage cage(4, flat), gone(4, [](float, float) { return PointAndNormal{{1, 2, 3}, {0, 0, 0}}; });
+    const Cage cage(4, flat_place), gone(4, [](float, float) {
+        return PointAndNormal{{1, 2, 3}, {0, 0, 0}};
+    });
     const Fine fine(9, 0.01f);
     const auto mesh = DrawnMesh::bind(cage.view, fine.surface());
     Drawn drawn(mesh->size());
@@ -286,7 +288,7 @@ TEST(DrawnMesh, StaysFiniteOnACageOfNoArea) {
 }
 
 TEST(DrawnMesh, ErrorsNameWhatIsWrong) {
-    const Cage cage(4, flat);
+    const Cage cage(4, flat_place);
     const Fine fine(3);
     const auto refusal = [&](const DrawnSurface& surface, const DrawnMeshSettings& settings = {}) {
         const auto mesh = DrawnMesh::bind(cage.view, surface, settings);

@@ -162,6 +162,9 @@ TEST(FieldsForC, OfWhatNoTableHasGoOverToo) {
     const DrawnMeshSettings drawn = *to_weft<DrawnMeshSettings>(WeftDrawnMeshSettings{0, 0.25f, 2});
     EXPECT_EQ(drawn.rounding, 0.25f);
     EXPECT_EQ(drawn.reach, 2);
+    const ProxySettings proxy = *to_weft<ProxySettings>(WeftProxySettings{0, 77, 0.5f});
+    EXPECT_EQ(proxy.particles, 77u);
+    EXPECT_EQ(proxy.thickness, 0.5f);
     const FixedStepSettings clock = *to_weft<FixedStepSettings>(WeftFixedStepSettings{0, 7, 0.5});
     EXPECT_EQ(clock.max_steps_per_frame, 7);
     EXPECT_EQ(clock.step, 0.5);

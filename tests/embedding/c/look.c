@@ -293,6 +293,24 @@ static void drawn_mesh(void) {
     weft_world_destroy(world);
 }
 
+static void proxy(void) {
+    WeftProxySettings settings;
+    WeftProxyReport report = {.struct_size = sizeof report};
+    WeftMesh *mesh = NULL, *made = NULL;
+    WeftMeshView view = {.struct_size = sizeof view};
+    weft_proxy_settings_init(&settings, sizeof settings);
+    CHECK(settings.particles == 3000);
+    settings.particles = 100;
+    TAKES(weft_mesh_make_sheet(NULL, &mesh));
+    TAKES(weft_mesh_make_proxy(mesh, &settings, &report, &made));
+    TAKES(weft_mesh_view(made, &view));
+    CHECK(view.positions.count == 100 && report.parts == 1 && report.longest_edge > report.shortest_edge);
+    settings.thickness = -1;
+    REFUSES(WEFT_INVALID_ARGUMENT, "thickness", weft_mesh_make_proxy(mesh, &settings, NULL, &made));
+    weft_mesh_destroy(made);
+    weft_mesh_destroy(mesh);
+}
+
 static void clock_of_loop(void) {
     WeftFixedStepSettings settings, seen = {.struct_size = sizeof seen};
     WeftFixedStep* loop = NULL;
@@ -409,6 +427,7 @@ void rest_of_the_host(void) {
     CHECK(fabrics == 9 && strcmp(fabric->name, "cotton") == 0 && fabric->fabric.warp == 1675);
     CHECK(weft_version() == WEFT_VERSION && strcmp(weft_version_string(), WEFT_VERSION_STRING) == 0);
     drawn_mesh();
+    proxy();
     clock_of_loop();
     hooks();
     weft_mesh_destroy(NULL);

@@ -88,6 +88,13 @@ typedef struct WeftObjReport {
     uint32_t crossing_faces, touching_faces;
 } WeftObjReport;
 
+typedef struct WeftProxyReport {
+    uint32_t struct_size;
+    float cell, shortest_edge, longest_edge;
+    uint32_t parts, left_out_parts, left_out_triangles, closed_holes;
+    float reach;
+} WeftProxyReport;
+
 typedef struct WeftShapeInfo {
     uint32_t struct_size;
     uint32_t triangles;

@@ -260,6 +260,13 @@ typedef struct WeftSheetSettings {
     WeftVec3 origin, u, v;
 } WeftSheetSettings;
 
+// weft/proxy.h
+typedef struct WeftProxySettings {
+    uint32_t struct_size;
+    uint32_t particles;
+    float thickness;
+} WeftProxySettings;
+
 // weft/drawn_mesh.h. Vertices and normals are three floats each, triangles three uint32_t, texcoords two
 // floats.
 typedef struct WeftDrawnSurface {
