@@ -34,8 +34,8 @@ struct GltfSparse {
 
 struct GltfAccessor {
     std::optional<std::size_t> view{};  ///< none: its values are elsewhere, by an extension, or 0
-    std::size_t offset = 0;           ///< in the view [bytes]
-    std::size_t count = 0;            ///< elements
+    std::size_t offset = 0;             ///< in the view [bytes]
+    std::size_t count = 0;              ///< elements
     GltfType type = GltfType::f32;
     std::size_t components = 1;  ///< of an element, 1 to 16
     bool normalised = false;

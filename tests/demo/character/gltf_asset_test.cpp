@@ -83,7 +83,7 @@ TEST(GltfAsset, SparseElementsReplaceThoseOfTheView) {
     }
 }
 
-/// Two triangles by Draco 1.5.5: a sheet of 3 x 3 vertices at z = x y / 4, 14 bits a coordinate.
+/// A sheet by Draco 1.5.5: 3 x 3 vertices, eight triangles at z = x y / 4, 14 bits a coordinate.
 constexpr auto draco_sheet =
     "RFJBQ08CAgEBAAAACQgBCAIAA3/aB/8BEf8CiEAC/wAAAAAAAQAJAwAAAgEDCQIAAQIBAQEADyt1HDkOA1UVBHX2HYz///8PgPz/AMD/"
     "AQD8/wAAAADwfwAAAAAEAAD+DwAAAIAAAMD/AQCA/wMAAAAA/z8AAAAAAAAAAAAAAAAAAAAAgD8OAQEBAA0DrSonVRUDKmJM/////w8A"
