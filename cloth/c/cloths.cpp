@@ -200,6 +200,19 @@ WeftResult weft_world_reset_cloth(WeftWorld* world, WeftClothId id, WeftInput po
         return of.reset_cloth(id_of(id), *there);
     });
 }
+WeftResult weft_world_resume_cloth(WeftWorld* world, WeftClothId id, WeftInput positions,
+                                   WeftInput previous_positions, WeftInput velocities) {
+    return on(world, [&](weft::World& of) -> weft::Result<void> {
+        std::vector<weft::Vec3> room;
+        const auto there = items("positions", positions, world->first);
+        if (!there) return there.error();
+        const auto before = items("previous_positions", previous_positions, world->second);
+        if (!before) return before.error();
+        const auto moving = items("velocities", velocities, room);
+        if (!moving) return moving.error();
+        return of.resume_cloth(id_of(id), *there, *before, *moving);
+    });
+}
 WeftResult weft_world_set_frame(WeftWorld* world, WeftClothId id, const WeftTransform* pose) {
     return on(world, [&](weft::World& of) { return of.set_frame(id_of(id), transform_of(pose)); });
 }

@@ -138,6 +138,12 @@ WeftResult weft_drawn_mesh_load(const void* saved, size_t bytes, const WeftWorld
         return put_handle(weft::DrawnMesh::load({static_cast<const std::byte*>(saved), bytes}, *view), mesh);
     });
 }
+WeftResult weft_carry_state(WeftWorld* world, WeftClothId from, WeftClothId to, const WeftDrawnMesh* bonds) {
+    return on(world, {{bonds, "bonds"}}, [&](weft::World& of) {
+        return weft::carry_state(of, std::bit_cast<weft::ClothId>(from), std::bit_cast<weft::ClothId>(to),
+                                 bonds->mesh);
+    });
+}
 void weft_drawn_mesh_destroy(WeftDrawnMesh* mesh) {
     delete mesh;
 }

@@ -53,7 +53,8 @@ enum class Call : std::uint32_t {
     unstitch,
     restore_cloth,
     restore_cloths,
-    last = restore_cloths,
+    resume_cloth,
+    last = resume_cloth,
 };
 
 /// The call's name in the interface.
@@ -101,7 +102,8 @@ enum class Call : std::uint32_t {
                                      "stitch",
                                      "unstitch",
                                      "restore_cloth",
-                                     "restore_cloths"};
+                                     "restore_cloths",
+                                     "resume_cloth"};
     static_assert(std::size(names) == static_cast<std::size_t>(Call::last) + 1);
     return names[static_cast<std::size_t>(call)];
 }

@@ -167,6 +167,11 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
         case Call::reset_cloth:
             return with<ClothId, Points>(reader,
                                          [&](ClothId id, Points at) { return world.reset_cloth(id, at); });
+        case Call::resume_cloth:
+            return with<ClothId, Points, Points, Points>(
+                reader, [&](ClothId id, Points at, Points before, Points velocities) {
+                    return world.resume_cloth(id, at, before, velocities);
+                });
         case Call::restore_cloth:
             return with<ClothId, std::span<const std::byte>>(
                 reader, [&](ClothId id, auto saved) { return world.restore_cloth(id, saved); });

@@ -93,6 +93,9 @@ struct Simulation {
     void go_to_holds(Cloth& cloth, const RigidMotion& by, StillPins pins);
     /// Puts a cloth at rest into a pose given by the mesh's vertices. Precondition: it is within reach.
     void reset(Cloth& cloth, std::span<const Vec3> positions);
+    /// The same in motion: with places at the start of the last step, and velocities, of the mesh's vertices.
+    void resume(Cloth& cloth, std::span<const Vec3> positions, std::span<const Vec3> previous_positions,
+                std::span<const Vec3> velocities);
     void shift_origin(const Vec3& to);
     /// Frees the memory that cloths share, if the last one was removed.
     void cloth_has_gone() noexcept;

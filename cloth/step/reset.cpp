@@ -1,4 +1,4 @@
-// Puts a cloth into a given pose, at rest.
+// Puts a cloth into a given pose, at rest or in motion.
 
 #include <algorithm>
 
@@ -24,6 +24,20 @@ void Simulation::reset(Cloth& cloth, std::span<const Vec3> positions) {
     now.halved = 0;
     cloth.wake();
     update_normals(parallel, cloth);
+    cloth.extent = survey(parallel, now, cloth.partial_surveys.span());
+}
+
+void Simulation::resume(Cloth& cloth, std::span<const Vec3> positions,
+                        std::span<const Vec3> previous_positions, std::span<const Vec3> velocities) {
+    reset(cloth, positions);
+    ClothState& now = cloth.state;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        const std::uint32_t i = cloth.model.vertex_to_particle[v];
+        set_xyz(now.previous_positions[i], to_vector(previous_positions[v]));
+        if (now.positions[i].w > 0) set_xyz(now.velocities[i], to_vector(velocities[v]));
+    }
+    for (const Attachment& attached : cloth.attached)
+        set_xyz(now.velocities[attached.particle], Vector3::Zero());
     cloth.extent = survey(parallel, now, cloth.partial_surveys.span());
 }
 

@@ -107,15 +107,17 @@ Result<void> validate_skin(const Cloth& cloth, std::span<const Vec3> places, std
 }
 
 /// Checks a pose to be reset to, vertex by vertex.
-Result<void> validate_pose(const Cloth& cloth, std::span<const Vec3> positions) {
+Result<void> validate_pose(const Cloth& cloth, std::span<const Vec3> values, const char* all = "positions",
+                           const char* one = "position") {
     const std::size_t vertices = cloth.model.vertex_to_particle.size();
-    if (positions.size() != vertices)
-        return Error{ErrorCode::invalid_argument, std::to_string(positions.size()) +
-                                                      " positions; the mesh has " + std::to_string(vertices) +
+    if (values.size() != vertices)
+        return Error{ErrorCode::invalid_argument, std::to_string(values.size()) + " " + all +
+                                                      "; the mesh has " + std::to_string(vertices) +
                                                       " vertices: give as many"};
     for (std::size_t v = 0; v < vertices; ++v)
-        if (!is_within_reach(positions[v]))
-            return validate_point(("the position of vertex " + std::to_string(v)).c_str(), positions[v]);
+        if (!is_within_reach(values[v]))
+            return validate_point((std::string("the ") + one + " of vertex " + std::to_string(v)).c_str(),
+                                  values[v]);
     return {};
 }
 
@@ -167,6 +169,24 @@ Result<void> World::reset_cloth(ClothId id, std::span<const Vec3> positions) {
             if (auto valid = validate_pose(cloth, positions); !valid) return valid;
             impl_->simulation.wake_near(cloth);
             impl_->simulation.parallel.lend([&] { impl_->simulation.reset(cloth, positions); });
+            return {};
+        });
+    });
+}
+
+Result<void> World::resume_cloth(ClothId id, std::span<const Vec3> positions,
+                                 std::span<const Vec3> previous_positions, std::span<const Vec3> velocities) {
+    return impl_->change(Call::resume_cloth, id, positions, previous_positions, velocities)([&] {
+        return with_cloth(impl_->simulation, id, [&](Cloth& cloth) -> Result<void> {
+            if (auto valid = validate_pose(cloth, positions); !valid) return valid;
+            if (auto valid =
+                    validate_pose(cloth, previous_positions, "previous positions", "previous position");
+                !valid)
+                return valid;
+            if (auto valid = validate_pose(cloth, velocities, "velocities", "velocity"); !valid) return valid;
+            impl_->simulation.wake_near(cloth);
+            impl_->simulation.parallel.lend(
+                [&] { impl_->simulation.resume(cloth, positions, previous_positions, velocities); });
             return {};
         });
     });

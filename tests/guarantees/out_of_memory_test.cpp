@@ -337,6 +337,9 @@ std::vector<Call> other_calls() {
     add("reset_cloth", [pose = LoweredSheet::mesh(true, side).positions](Scene& s) {
         return s.world.reset_cloth(s.cloth, pose);
     });
+    add("resume_cloth", [pose = LoweredSheet::mesh(true, side).positions](Scene& s) {
+        return s.world.resume_cloth(s.cloth, pose, pose, pose);
+    });
     add("set_frame", [](Scene& s) { return s.world.set_frame(s.cloth, {.translation = {0, 1, 0}}); });
     add("leave_frame", [](Scene& s) { return s.world.leave_frame(s.cloth); });
     add("shift_origin", [](Scene& s) { return s.world.shift_origin({1, 0, 0}); });

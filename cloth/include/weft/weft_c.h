@@ -164,6 +164,8 @@ WEFT_API WeftResult weft_world_unpin(WeftWorld* world, WeftClothId id, const uin
 WEFT_API WeftResult weft_world_move_cloth(WeftWorld* world, WeftClothId id, const WeftTransform* by);
 // positions: three floats for each vertex.
 WEFT_API WeftResult weft_world_reset_cloth(WeftWorld* world, WeftClothId id, WeftInput positions);
+WEFT_API WeftResult weft_world_resume_cloth(WeftWorld* world, WeftClothId id, WeftInput positions,
+                                            WeftInput previous_positions, WeftInput velocities);
 WEFT_API WeftResult weft_world_set_frame(WeftWorld* world, WeftClothId id, const WeftTransform* pose);
 WEFT_API WeftResult weft_world_leave_frame(WeftWorld* world, WeftClothId id);
 // map: WEFT_MAP_...; values are floats, or none.
@@ -263,6 +265,9 @@ WEFT_API WeftResult weft_drawn_mesh_save(const WeftDrawnMesh* mesh, void* to, si
 // For a cloth of the mesh that was bound to.
 WEFT_API WeftResult weft_drawn_mesh_load(const void* saved, size_t bytes, const WeftWorld* world,
                                          WeftClothId cloth, WeftDrawnMesh** mesh);
+// Has a cloth take over from another mesh of the same garment.
+WEFT_API WeftResult weft_carry_state(WeftWorld* world, WeftClothId from, WeftClothId to,
+                                     const WeftDrawnMesh* bonds);
 WEFT_API void weft_drawn_mesh_destroy(WeftDrawnMesh* mesh);
 
 // The clock of a game loop.

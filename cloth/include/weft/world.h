@@ -179,6 +179,12 @@ class WEFT_API World {
     /// collider comes out at a limited speed. Takes no memory. Errors: another count than the mesh's
     /// vertices; a vertex that is not finite, or beyond 100 km.
     Result<void> reset_cloth(ClothId id, std::span<const Vec3> positions);
+    /// Puts the cloth into a pose in motion, as reset_cloth() does at rest: carry_state() calls it where
+    /// another mesh of a garment takes over. `previous_positions` are those at the start of the last step,
+    /// from which a blend starts [m]; velocities [m/s] of pinned and attached vertices are 0. Errors, too:
+    /// another count of these, or a velocity that is not finite.
+    Result<void> resume_cloth(ClothId id, std::span<const Vec3> positions,
+                              std::span<const Vec3> previous_positions, std::span<const Vec3> velocities);
 
     /// Sets a moving frame of reference for cloth on a character or a vehicle. The first call places the
     /// frame and moves nothing; each later one moves it over the next step. In a step without a call it

@@ -157,6 +157,11 @@ std::vector<NamedCall> calls() {
          }},
         {"reset_cloth",
          [](Scene& s) { (void)s.world.reset_cloth(s.cloths[1], cloth_mesh(s.grid, 1.4f).positions); }},
+        {"resume_cloth",
+         [](Scene& s) {
+             const auto pose = cloth_mesh(s.grid, 1.4f).positions;
+             (void)s.world.resume_cloth(s.cloths[1], pose, pose, pose);
+         }},
         {"set_frame",
          [](Scene& s) {
              (void)s.world.set_frame(s.cloths[2], {{0.1f, 0, 0.05f}, {0, 0.1f, 0, 0.995f}});

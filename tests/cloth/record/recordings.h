@@ -134,6 +134,8 @@ struct EveryCall {
         EXPECT_TRUE(world.set_frame(cloths[3], {.translation = {0.05f, 0, 0}}));
         EXPECT_TRUE(world.move_cloth(cloths[2], {.translation = {0, 0.1f, 0}}));
         EXPECT_TRUE(world.reset_cloth(cloths[1], small_sheet(0.6f).positions));
+        EXPECT_TRUE(world.resume_cloth(cloths[1], small_sheet(0.6f).positions, small_sheet(0.61f).positions,
+                                       small_sheet(0.1f).positions));
         EXPECT_TRUE(world.move_pins(cloths[0], std::vector<std::uint32_t>{0, 8},
                                     std::vector<Vec3>{{-0.3f, 0.45f, -0.3f}, {0.3f, 0.45f, -0.3f}}));
         const std::array<Vec3, 4> deformed{{{0, 0, 0}, {0.25f, 0, 0}, {0, 0.2f, 0}, {0, 0, 0.2f}}};

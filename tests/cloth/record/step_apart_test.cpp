@@ -162,6 +162,7 @@ TEST(StepApart, RefusesByNameWhatWouldChangeIt) {
         {"move_pins", [&] { return world.move_pin(cloth, 0, {}); }},
         {"move_cloth", [&] { return world.move_cloth(cloth, {}); }},
         {"reset_cloth", [&] { return world.reset_cloth(cloth, {}); }},
+        {"resume_cloth", [&] { return world.resume_cloth(cloth, {}, {}, {}); }},
         {"cast_ray",
          [&] {
              return answer_of(world.cast_ray({}, {0, 1, 0}));

@@ -286,6 +286,9 @@ static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
     }
     TAKES(weft_world_reset_cloth(world, other, places));
     REFUSES(WEFT_INVALID_ARGUMENT, "0 positions", weft_world_reset_cloth(world, other, nothing));
+    TAKES(weft_world_resume_cloth(world, other, places, places, places));
+    REFUSES(WEFT_INVALID_ARGUMENT, "0 velocities",
+            weft_world_resume_cloth(world, other, places, places, nothing));
     TAKES(weft_world_set_map(world, cloth, WEFT_MAP_FRICTION, values));
     REFUSES(WEFT_INVALID_ARGUMENT, "map", weft_world_set_map(world, cloth, 77, values));
     TAKES(weft_world_set_map(world, cloth, WEFT_MAP_COLLIDER_MASK, values));

@@ -282,6 +282,7 @@ static void drawn_mesh(void) {
     CHECK(weft_drawn_mesh_save_size(drawn) == sizeof saved && weft_drawn_mesh_save_size(NULL) == 0);
     REFUSES(WEFT_INVALID_ARGUMENT, "256", weft_drawn_mesh_save(drawn, saved, 255));
     TAKES(weft_drawn_mesh_save(drawn, saved, sizeof saved));
+    REFUSES(WEFT_INVALID_ARGUMENT, "3 vertices", weft_carry_state(world, cloth, cloth, drawn));
     weft_drawn_mesh_destroy(drawn);
     TAKES(weft_drawn_mesh_load(saved, sizeof saved, world, cloth, &drawn));
     CHECK(weft_drawn_mesh_size(drawn) == 3);

@@ -92,6 +92,7 @@ Tape calls_in_cpp(const Given& given) {
     EXPECT_TRUE(world.leave_frame(cloth).ok());
     EXPECT_TRUE(world.move_cloth(other, given.by).ok());
     EXPECT_TRUE(world.reset_cloth(cloth, given.places).ok());
+    EXPECT_TRUE(world.resume_cloth(cloth, given.places, given.places, given.normals).ok());
     EXPECT_TRUE(world.shift_origin({1, 2, 3}).ok());
 
     const ShapeId open = tape.note(world.add_shape(TriangleMesh{given.mesh, given.faces, false}).value());
@@ -220,6 +221,9 @@ Tape calls_in_c(const Given& given) {
     EXPECT_EQ(weft_world_leave_frame(world, cloth), WEFT_OK);
     EXPECT_EQ(weft_world_move_cloth(world, other, &by), WEFT_OK);
     EXPECT_EQ(weft_world_reset_cloth(world, cloth, input(given.places)), WEFT_OK);
+    EXPECT_EQ(
+        weft_world_resume_cloth(world, cloth, input(given.places), input(given.places), input(given.normals)),
+        WEFT_OK);
     EXPECT_EQ(weft_world_shift_origin(world, {1, 2, 3}), WEFT_OK);
 
     WeftShape solid;
