@@ -121,10 +121,10 @@ class WEFT_API DrawnMesh {
 /// Has a cloth take over from another mesh of the same garment, between two steps: a finer one where the
 /// viewer comes near, a coarser one where he leaves. It gets places, velocities and the places before the
 /// last step from the other's surface, by World::resume_cloth(). `bonds` are of the vertices of `to`'s mesh,
-/// bound once to `from` while both lie in one pose. Momentum changes by less than 1 % of
-/// the cloth's mass times its root mean square speed; folds that the coarser mesh cannot have are lost.
-/// Enable `to` before and disable `from` afterwards, since a disabled cloth stands still. Errors: a stale id;
-/// bonds to another mesh than `from`'s, or of another number of vertices than `to`'s.
+/// bound once to `from` while both lie in one pose. Momentum changes by less than 2 % of the cloth's mass
+/// times its root mean square speed; folds that the coarser mesh cannot have are lost. Enable `to` before and
+/// disable `from` afterwards, since a disabled cloth stands still. Errors: a stale id; bonds to another mesh
+/// than `from`'s, or of another number of vertices than `to`'s.
 WEFT_API Result<void> carry_state(World& world, ClothId from, ClothId to, const DrawnMesh& bonds);
 
 }  // namespace weft

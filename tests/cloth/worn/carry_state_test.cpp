@@ -26,9 +26,10 @@ Mesh sheet(std::uint32_t side) {
 /// A curtain that hangs by its upper edge in wind, as a fine and as a coarse mesh, and a finer one that is
 /// drawn.
 struct Curtain {
-    Curtain() {
+    explicit Curtain(float wind = 3, float gust = 0) {
         WorldSettings settings{.threads = 1};
-        settings.wind.velocity = {1, 0, 3};
+        settings.wind.velocity = {1, 0, wind};
+        settings.wind.gust = gust;
         EXPECT_TRUE(world.set_settings(settings));
         for (std::size_t k = 0; k < 2; ++k) {
             meshes[k] = sheet(k == 0 ? 41 : 21);
@@ -94,28 +95,36 @@ float largest_difference(const std::vector<Vector3>& a, const std::vector<Vector
     return most;
 }
 
-TEST(CarryState, TheDrawnMeshDoesNotJump) {
-    Curtain curtain;
-    curtain.run(40);
-    for (const std::size_t to : {1u, 0u}) {  // to the coarse mesh, and back
-        const auto before = curtain.picture(1 - to);
-        const auto moving = curtain.motion(1 - to);
-        curtain.change(to);
-        const float jump = largest_difference(before, curtain.picture(to));
-        RecordProperty(to == 1 ? "jump_to_coarse_mm" : "jump_to_fine_mm", std::to_string(1e3f * jump));
-        EXPECT_LT(jump, to == 1 ? 0.003f : 0.001f);
-        EXPECT_GT(moving.speed, 0.05f);
-        const auto moved = curtain.motion(to);
-        EXPECT_LT((moved.velocity - moving.velocity).norm(), 0.01f * moving.speed)
-            << moving.speed << " m/s, then " << moved.speed;
-        EXPECT_NEAR(moved.speed, moving.speed, 0.05f * moving.speed);
-        // The step after it is one of the motion.
-        const auto at = curtain.picture(to);
-        curtain.run(1);
-        const float most = h * curtain.world.report().peak_speed;
-        EXPECT_LT(largest_difference(at, curtain.picture(to)), 1.5f * most);
-        curtain.run(30);
-        EXPECT_EQ(curtain.world.report().flags, StepFlags::none);
+/// What is drawn jumps by what the coarse mesh cannot have: little in a breeze, more where fine folds
+/// flutter.
+TEST(CarryState, TheDrawnMeshHardlyJumps) {
+    struct Case {
+        float wind, gust, to_coarse, to_fine;  // [m/s], [m]
+    };
+    for (const Case& of : {Case{3, 0, 0.003f, 0.001f}, Case{6, 0.5f, 0.04f, 0.002f}}) {
+        Curtain curtain(of.wind, of.gust);
+        curtain.run(40);
+        for (const std::size_t to : {1u, 0u}) {  // to the coarse mesh, and back
+            const auto before = curtain.picture(1 - to);
+            const auto moving = curtain.motion(1 - to);
+            curtain.change(to);
+            const float jump = largest_difference(before, curtain.picture(to));
+            RecordProperty("jump_mm_" + std::to_string(of.wind) + (to == 1 ? "_to_coarse" : "_to_fine"),
+                           std::to_string(1e3f * jump));
+            EXPECT_LT(jump, to == 1 ? of.to_coarse : of.to_fine);
+            const auto moved = curtain.motion(to);
+            EXPECT_LT((moved.velocity - moving.velocity).norm(), 0.02f * moving.speed)
+                << moving.speed << " m/s, then " << moved.speed;
+            EXPECT_GT(moved.speed, 0.9f * moving.speed);
+            EXPECT_LT(moved.speed, 1.05f * moving.speed);
+            // The step after it is one of the motion.
+            const auto at = curtain.picture(to);
+            curtain.run(1);
+            const float most = h * curtain.world.report().peak_speed;
+            EXPECT_LT(largest_difference(at, curtain.picture(to)), 1.5f * most);
+            curtain.run(30);
+            EXPECT_EQ(curtain.world.report().flags, StepFlags::none);
+        }
     }
 }
 
@@ -132,8 +141,10 @@ TEST(CarryState, ABlendGoesOn) {
     start = next;
     start.positions = next.previous_positions;
     curtain.drawn[1].update(start, {.positions = after});
+    float most = 0;
     for (std::size_t v = 0; v < before.size(); ++v)
-        EXPECT_LT((xyz(before[v]) - xyz(after[v])).norm(), 0.004f);
+        most = std::max(most, (xyz(before[v]) - xyz(after[v])).norm());
+    EXPECT_LT(most, 0.004f);
 }
 
 /// The same mesh takes over: nothing but the equation's memory of the last step is lost.
