@@ -47,10 +47,12 @@ class FieldChecks {
         return out_of_range(full(owner, field), number, right(range, number));
     }
     static Found error(const char* owner, const char* field, const Vec3& value, const Range& range) {
-        for (const float each : {value.x, value.y, value.z})
-            if (!range.has(static_cast<double>(each)))
-                return out_of_range(full(owner, field), value,
-                                    range.right ? range.right : right(range, 1) + " in every component");
+        for (const float each : {value.x, value.y, value.z}) {
+            if (range.has(static_cast<double>(each))) continue;
+            if (range.right) return out_of_range(full(owner, field), value, range.right);
+            if (range.least > 0) return error(owner, field, each, range);  // a length: itself says enough
+            return out_of_range(full(owner, field), value, right(range, 1) + " in every component");
+        }
         return {};
     }
     static Found error(const char* owner, const char* field, const Rotation& value) {
