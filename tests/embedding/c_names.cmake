@@ -44,13 +44,13 @@ missing(CookedCloth weft_cooked_cloth ${include}/cooked_cloth.h)
 missing(DrawnMesh weft_drawn_mesh ${include}/drawn_mesh.h)
 missing(FixedStep weft_fixed_step ${weft_source}/engine/include/weft/fixed_step.h)
 
-# Functions that are of no class: replay has two for C.
+# Functions that are of no class. replay and numbers_of have two for C, by the files and structs they take.
 file(GLOB headers ${include}/*.h ${weft_source}/engine/include/weft/*.h ${weft_source}/collision/include/weft/*.h)
 foreach(header IN LISTS headers)
   file(STRINGS ${header} lines REGEX "^(\\[\\[nodiscard\\]\\] )?WEFT_API (Result|std::|MemoryUse)")
   foreach(line IN LISTS lines)
     string(REGEX MATCH " ([a-z_]+)\\(" unused "${line}")
-    set(name ${CMAKE_MATCH_1})
+    string(REPLACE "numbers_of" "(cloth|world)_settings_numbers" name ${CMAKE_MATCH_1})
     if(NOT functions MATCHES "weft_(mesh_|)${name}(_file|)(;|$)")
       message(SEND_ERROR "${name} of ${header} has no counterpart in weft_c.h")
     endif()
