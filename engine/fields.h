@@ -71,7 +71,8 @@ constexpr void for_each_field(T& of, const Visit& visit) {
     });
 }
 
-/// Whether a field has an effect, given the struct's other fields. Overloaded for structs where some do not.
+/// Returns true if a field has an effect, given the struct's other fields. Overloaded for structs where some
+/// do not.
 template <class T>
 constexpr bool counts(const T& /*of*/, const void* /*field*/) {
     return true;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/joined_sets.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -36,14 +37,14 @@ class GroupFinder {
     }
 
     /// Replace find() where the pairs are known: begin(), join() for each pair of one group, end().
-    void begin(std::size_t cloths);
-    void join(std::uint32_t i, std::uint32_t j);
-    void end();
+    void begin(std::size_t cloths) { groups_.begin(cloths); }
+    void join(std::uint32_t i, std::uint32_t j) { groups_.join(i, j); }
+    void end() { groups_.finish(); }
     /// Merges other groups of the same cloths, as first_of() returns them, with the groups that were found.
     void join(std::span<const std::uint32_t> first_of);
 
     /// For each cloth, the first cloth of its group.
-    [[nodiscard]] std::span<const std::uint32_t> first_of() const { return parents_; }
+    [[nodiscard]] std::span<const std::uint32_t> first_of() const { return groups_.firsts(); }
 
   private:
     static bool overlap_beside_x(const Bounds& a, const Bounds& b) {
@@ -51,10 +52,9 @@ class GroupFinder {
                b.lower.z <= a.upper.z;
     }
     void sort(std::span<const Bounds> boxes);
-    std::uint32_t root(std::uint32_t cloth);
 
-    std::vector<std::uint32_t> order_;    // boxes by their lower end along x
-    std::vector<std::uint32_t> parents_;  // union-find forest; a parent's number is below its children's
+    std::vector<std::uint32_t> order_;  // boxes by their lower end along x
+    JoinedSets groups_;
 };
 
 }  // namespace weft

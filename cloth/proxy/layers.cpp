@@ -7,7 +7,6 @@
 
 #include "cloth/mesh/topology/repair.h"
 #include "cloth/proxy/plain_surface.h"
-#include "cloth/surface/nearest_triangle.h"
 #include "weft/types.h"
 
 namespace weft {
@@ -29,9 +28,7 @@ Vector3 normal_of(const PlainSurface& surface, std::uint32_t t) {
 
 /// For each triangle the one that lies behind it, faces the other way, and is near; or none.
 std::vector<std::uint32_t> backs_of(const PlainSurface& surface, float thickness) {
-    std::vector<Vec4> positions;
-    for (const Vector3& p : surface.points) positions.push_back(to_vec4(p, 0));
-    const NearestTriangle nearest({.positions = positions, .triangles = surface.triangles});
+    const NearestTriangle nearest = nearest_on(surface);
     std::vector<std::uint32_t> backs;
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
         const Vector3 middle = middle_of(surface, t), normal = normal_of(surface, t);

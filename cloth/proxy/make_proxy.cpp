@@ -94,9 +94,7 @@ void measure(const Mesh& fine, const PlainSurface& proxy, ProxyReport& report) {
             report.longest_edge = std::max(report.longest_edge, length);
         }
     }
-    std::vector<Vec4> positions;
-    for (const Vector3& p : proxy.points) positions.push_back(to_vec4(p, 0));
-    const NearestTriangle nearest({.positions = positions, .triangles = proxy.triangles});
+    const NearestTriangle nearest = nearest_on(proxy);
     std::uint32_t leaf = 0;
     for (const Vec3& p : fine.positions) {
         const auto found = nearest.to(to_vector(p), Vector3::Zero(), std::numeric_limits<float>::max(), leaf);

@@ -3,33 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "cloth/mesh/topology/repair.h"
+#include "engine/joined_sets.h"
 
 namespace weft {
 
 namespace {
-
-/// The smallest number of each group of united numbers stands for it.
-class UnitedNumbers {
-  public:
-    explicit UnitedNumbers(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), 0u);
-    }
-    [[nodiscard]] std::uint32_t first_of(std::uint32_t i) {
-        while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t first = first_of(a), second = first_of(b);
-        parents_[std::max(first, second)] = std::min(first, second);
-    }
-
-  private:
-    std::vector<std::uint32_t> parents_;
-};
 
 /// Points halfway along edges, one an edge.
 class Middles {
@@ -59,6 +40,12 @@ Result<PlainSurface> plain_surface(const Mesh& mesh) {
     return kept_of(surface, std::vector<bool>(surface.triangles.size(), true));
 }
 
+NearestTriangle nearest_on(const PlainSurface& surface) {
+    std::vector<Vec4> positions;
+    for (const Vector3& p : surface.points) positions.push_back(to_vec4(p, 0));
+    return NearestTriangle({.positions = positions, .triangles = surface.triangles});
+}
+
 PlainSurface kept_of(const PlainSurface& surface, const std::vector<bool>& kept) {
     constexpr std::uint32_t unused = ~0u;
     std::vector<std::uint32_t> numbers(surface.points.size(), unused);
@@ -86,20 +73,14 @@ float area_of(const PlainSurface& surface, const Triangle& triangle) {
 }
 
 std::vector<std::uint32_t> parts_of(const PlainSurface& surface, const std::vector<bool>& joined) {
-    UnitedNumbers united(surface.triangles.size());
+    JoinedSets parts(surface.triangles.size());
     const std::vector<Side> sides = sides_by_edge(surface.triangles);
     for (std::size_t s = 0; s < sides.size(); s += sides_of_edge(sides, s).size()) {
         const auto edge = sides_of_edge(sides, s);
         if (edge.size() == 2 && joined[edge[0].triangle] && joined[edge[1].triangle])
-            united.unite(edge[0].triangle, edge[1].triangle);
+            parts.join(edge[0].triangle, edge[1].triangle);
     }
-    std::vector<std::uint32_t> parts(surface.triangles.size());
-    std::uint32_t count = 0;
-    for (std::uint32_t t = 0; t < parts.size(); ++t) {
-        const std::uint32_t first = united.first_of(t);
-        parts[t] = first == t ? count++ : parts[first];
-    }
-    return parts;
+    return parts.numbers();
 }
 
 std::vector<std::vector<std::uint32_t>> borders_of(const PlainSurface& surface) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cloth/surface/nearest_triangle.h"
 #include "engine/vector.h"
 #include "weft/error.h"
 #include "weft/mesh.h"
@@ -18,6 +19,8 @@ struct PlainSurface {
 
 /// The surface as cooking has it: welded, and with at most two triangles at an edge.
 [[nodiscard]] Result<PlainSurface> plain_surface(const Mesh& mesh);
+/// A search among its triangles.
+[[nodiscard]] NearestTriangle nearest_on(const PlainSurface& surface);
 /// The triangles with a true in `kept`, with their points in the same order.
 [[nodiscard]] PlainSurface kept_of(const PlainSurface& surface, const std::vector<bool>& kept);
 
@@ -32,8 +35,8 @@ struct PlainSurface {
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> borders_of(const PlainSurface& surface);
 [[nodiscard]] float length_of(const PlainSurface& surface, const std::vector<std::uint32_t>& loop);
 
-/// Whether each triangle stays when of two layers that face away from each other, no more than `thickness`
-/// apart [m], only the larger stays.
+/// Returns true for each triangle that stays when of two layers that face away from each other, no more than
+/// `thickness` apart [m], only the larger stays.
 [[nodiscard]] std::vector<bool> outer_layers(const PlainSurface& surface, float thickness);
 
 /// Closes a border by triangles to its middle.

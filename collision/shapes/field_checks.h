@@ -76,7 +76,7 @@ class FieldChecks {
             return {};
         }
     }
-    /// What an error recommends: "from 0 to 1".
+    /// The range as an error recommends it: "from 0 to 1".
     static std::string right(const Range& range, double value) {
         if (range.right) return range.right;
         const auto text = [](float end) { return number_text(static_cast<double>(end)); };

@@ -12,7 +12,8 @@
 
 namespace weft::demo {
 
-/// One mesh, +Y up, in metres, whose points and normals have a time sample for each frame, and a material.
+/// A file of one mesh, +Y up, in metres, and its material. Points and normals have a time sample for each
+/// frame.
 /// Numbers have nine digits, by which floats read back the same.
 class UsdText {
   public:

@@ -18,7 +18,7 @@ const bool has_draco = true;
 
 namespace {
 
-// Of all buffers: many primitives may name the same compressed data.
+// The limit is on all buffers together, since many primitives may name the same compressed data.
 constexpr std::size_t most_decoded_bytes = std::size_t{1} << 31;
 
 /// Appends packed values as a buffer of their own. Returns the number of their accessor.

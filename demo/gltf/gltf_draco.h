@@ -5,7 +5,7 @@
 
 namespace weft {
 
-/// Whether Weft was built with Draco.
+/// Is true if Weft was built with Draco.
 extern const bool has_draco;
 
 /// Decodes compressed primitives: their data become buffers, views and accessors like any others. Without

@@ -97,7 +97,7 @@ class WEFT_API DrawnMesh {
     void update(const ClothView& cloth, const DrawnVertices& to, std::size_t first = 0,
                 std::size_t count = SIZE_MAX) const noexcept;
 
-    /// One a vertex, until the DrawnMesh is gone.
+    /// Returns the bonds, one a vertex; the span holds until the DrawnMesh is gone.
     [[nodiscard]] std::span<const DrawnBond> bonds() const noexcept;
     [[nodiscard]] float rounding() const noexcept;  ///< DrawnMeshSettings::rounding of the binding
 

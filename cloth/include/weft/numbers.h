@@ -24,7 +24,7 @@ struct SettingNumber {
     float least, greatest;  ///< ends of its range, of each component of a vector, in the field's unit
     bool or_zero;           ///< whether 0 is right too; the field says what it means
     bool below_greatest;    ///< whether `greatest` itself is out of range
-    /// Whether the range has this number.
+    /// Returns true if the range has this number.
     [[nodiscard]] WEFT_API bool has(double number) const noexcept;
 };
 

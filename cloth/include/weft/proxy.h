@@ -18,7 +18,7 @@ struct ProxySettings {
     float thickness = 0.004f;
 };
 
-/// What make_proxy() did.
+/// Sizes and counts of a proxy that make_proxy() made.
 struct ProxyReport {
     float cell = 0;                        ///< length of edge that the wanted number has [m]
     float shortest_edge = 0;               ///< of the proxy [m]

@@ -257,7 +257,7 @@ WEFT_API size_t weft_drawn_mesh_size(const WeftDrawnMesh* mesh);
 WEFT_API WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* world,
                                            WeftClothId cloth, WeftVec4* positions, WeftVec4* normals,
                                            WeftVec4* tangents, size_t first, size_t count);
-// One bond a vertex, until the mesh is destroyed; null: no mesh.
+// Returns the bonds, one a vertex, which hold until the mesh is destroyed; null: no mesh.
 WEFT_API const WeftDrawnBond* weft_drawn_mesh_bonds(const WeftDrawnMesh* mesh);
 WEFT_API float weft_drawn_mesh_rounding(const WeftDrawnMesh* mesh);
 WEFT_API size_t weft_drawn_mesh_save_size(const WeftDrawnMesh* mesh);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cloth/mesh/topology/topology.h"
+#include "engine/joined_sets.h"
 #include "engine/memory/without_exceptions.h"
 #include "weft/cutting.h"
 
@@ -25,25 +26,6 @@ std::uint32_t corner_of(const Topology& topology, std::uint32_t triangle, std::u
     const auto at = std::ranges::find(particles, particle) - particles.begin();
     return corner_number(triangle, static_cast<std::uint32_t>(at));
 }
-
-/// Classes of corners that uncut edges join at a particle, each named by its lowest corner.
-class Fans {
-  public:
-    explicit Fans(std::size_t corners) : parents_(corners) {
-        std::iota(parents_.begin(), parents_.end(), 0u);
-    }
-    std::uint32_t of(std::uint32_t corner) {
-        while (parents_[corner] != corner) corner = parents_[corner] = parents_[parents_[corner]];
-        return corner;
-    }
-    void join(std::uint32_t one, std::uint32_t other) {
-        const std::uint32_t a = of(one), b = of(other);
-        parents_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parents_;
-};
 
 /// Marks the edge of two particles, or the two sides of the sliver that it was flipped away from. False:
 /// there is no such edge.
@@ -76,8 +58,9 @@ Result<std::vector<std::uint8_t>> marked(const Topology& topology, std::span<con
     return marks;
 }
 
-Fans fans_without(const Topology& topology, std::span<const std::uint8_t> cut) {
-    Fans fans(3 * topology.triangles.size());
+/// Fans of corners that uncut edges join at a particle.
+JoinedSets fans_without(const Topology& topology, std::span<const std::uint8_t> cut) {
+    JoinedSets fans(3 * topology.triangles.size());
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         const Edge& edge = topology.edges[e];
         if (cut[e] != 0 || edge.is_border()) continue;
@@ -125,20 +108,20 @@ std::uint32_t add_vertex(MeshCut& cut, std::uint32_t of) {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// Corners of particles that a cut comes to, by vertices and in these by fans.
-std::vector<ParentCorner> corners_at(const Topology& topology, Fans& fans,
+std::vector<ParentCorner> corners_at(const Topology& topology, JoinedSets& fans,
                                      std::span<const std::uint8_t> touched) {
     std::vector<ParentCorner> corners;
     for (std::uint32_t t = 0; t < topology.triangles.size(); ++t)
         for (std::uint32_t k = 0; k < 3; ++k)
             if (const std::uint32_t number = corner_number(t, k); touched[topology.triangles[t][k]] != 0)
-                corners.push_back({topology.corners[t][k], fans.of(number), number});
+                corners.push_back({topology.corners[t][k], fans.first_of(number), number});
     std::ranges::sort(corners, {}, [](const ParentCorner& c) { return std::tie(c.vertex, c.fan, c.corner); });
     return corners;
 }
 
 /// Makes each fan a particle. A vertex of several fans stays with the first one, and the others get copies.
 /// Vertices of no triangle go with the first fan of their particle.
-void part(const Topology& topology, Fans& fans, std::span<const std::uint8_t> touched, MeshCut& cut) {
+void part(const Topology& topology, JoinedSets& fans, std::span<const std::uint8_t> touched, MeshCut& cut) {
     struct InFan {
         std::uint32_t vertex, fan;
     };
@@ -188,7 +171,7 @@ Result<MeshCut> cut_mesh(const Mesh& mesh, std::span<const MeshEdge> edges) {
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             result.mesh.welds[v] = topology->first_vertices[topology->vertex_to_particle[v]];
 
-        Fans fans = fans_without(*topology, *cut);
+        JoinedSets fans = fans_without(*topology, *cut);
         const std::vector<std::uint8_t> touched = touched_by(*topology, *cut);
         part(*topology, fans, touched, result);
         result.added_particles = particles_of(result.mesh) - topology->particle_count();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -11,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "cloth/mesh/mesh_limits.h"
+#include "engine/joined_sets.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -135,27 +135,7 @@ std::vector<OpenEdge> open_edges(const Mesh& mesh, std::span<const std::uint32_t
     return open;
 }
 
-/// Sets of vertices. Invariant: parents[i] <= i, so that a set's root is its first vertex.
-class VertexSets {
-  public:
-    explicit VertexSets(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), 0u);
-    }
-    [[nodiscard]] std::uint32_t root_of(std::uint32_t i) {
-        while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-    void join(std::uint32_t i, std::uint32_t j) {
-        i = root_of(i);
-        j = root_of(j);
-        parents_[std::max(i, j)] = std::min(i, j);
-    }
-
-  private:
-    std::vector<std::uint32_t> parents_;
-};
-
-/// Whether the triangles of two edges at one place lie on each other: their angle is less than 1e-3.
+/// Returns true if the triangles of two edges at one place lie on each other: their angle is less than 1e-3.
 bool lie_on_each_other(const Mesh& mesh, const OpenEdge& a, const OpenEdge& b) {
     const auto at = [&](std::uint32_t i) { return to_vector(mesh.positions[i]).cast<double>().eval(); };
     const Eigen::Vector3d from = at(a.lower), along = at(a.higher) - from;
@@ -171,7 +151,7 @@ bool is_seam(const Mesh& mesh, const OpenEdge& a, const OpenEdge& b) {
 
 /// Joins each edge with the first later edge at its place that is free. Edges that run the other way, as
 /// across a seam of one surface, come before those that run alike, as between parts wound against each other.
-void join_matching(const Mesh& mesh, std::span<OpenEdge> same, VertexSets& sets) {
+void join_matching(const Mesh& mesh, std::span<OpenEdge> same, JoinedSets& sets) {
     for (const bool runs_alike : {false, true}) {
         for (std::size_t k = 0; k < same.size(); ++k) {
             OpenEdge& edge = same[k];
@@ -193,7 +173,7 @@ void join_matching(const Mesh& mesh, std::span<OpenEdge> same, VertexSets& sets)
 
 std::vector<std::uint32_t> weld_open_edges(const Mesh& mesh) {
     const std::vector<std::uint32_t> places = weld(mesh.positions);
-    VertexSets sets(places.size());
+    JoinedSets sets(places.size());
     std::vector<OpenEdge> open = open_edges(mesh, places);
     const auto is_elsewhere = [](const OpenEdge& a, const OpenEdge& b) {
         return a.low != b.low || a.high != b.high;
@@ -216,14 +196,7 @@ std::vector<std::uint32_t> weld_open_edges(const Mesh& mesh) {
                 first_at[places[i]] = i;
     for (std::uint32_t i = 0; i < places.size(); ++i)
         if (!has_triangle[i]) sets.join(i, first_at[places[i]]);
-
-    std::vector<std::uint32_t> numbers(places.size());
-    std::uint32_t next = 0;
-    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
-        const std::uint32_t root = sets.root_of(i);
-        numbers[i] = root == i ? next++ : numbers[root];
-    }
-    return numbers;
+    return sets.numbers();
 }
 
 std::vector<Side> sides_by_edge(std::span<const Triangle> triangles) {

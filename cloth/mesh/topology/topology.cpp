@@ -14,6 +14,7 @@
 #include "cloth/mesh/topology/flip_slivers.h"
 #include "cloth/mesh/topology/repair.h"
 #include "engine/error_text.h"
+#include "engine/joined_sets.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -176,23 +177,6 @@ void keep_triangles(const Mesh& mesh, Topology& topology) {
     }
 }
 
-/// The lowest particle of each particle's component. Invariant: parents[i] <= i, so roots are the lowest.
-std::vector<std::uint32_t> component_roots(const Topology& topology) {
-    std::vector<std::uint32_t> parents(topology.particle_count());
-    std::iota(parents.begin(), parents.end(), 0u);
-    const auto root_of = [&](std::uint32_t i) {
-        while (parents[i] != i) i = parents[i] = parents[parents[i]];
-        return i;
-    };
-    for (const Edge& edge : topology.edges) {
-        const std::uint32_t a = root_of(edge.particles[0]);
-        const std::uint32_t b = root_of(edge.particles[1]);
-        parents[std::max(a, b)] = std::min(a, b);
-    }
-    for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = root_of(i);
-    return parents;
-}
-
 }  // namespace
 
 void build_edges(Topology& topology) {
@@ -201,7 +185,10 @@ void build_edges(Topology& topology) {
 
 void build_components(Topology& topology) {
     topology.component_offsets.clear();
-    const std::vector<std::uint32_t> roots = component_roots(topology);
+    JoinedSets components(topology.particle_count());
+    for (const Edge& edge : topology.edges) components.join(edge.particles[0], edge.particles[1]);
+    components.finish();
+    const std::span<const std::uint32_t> roots = components.firsts();
     topology.component_particles.resize(roots.size());
     std::iota(topology.component_particles.begin(), topology.component_particles.end(), 0u);
     std::stable_sort(topology.component_particles.begin(), topology.component_particles.end(),

@@ -34,7 +34,7 @@ struct BodyJoints {
     std::array<std::size_t, static_cast<std::size_t>(Part::count)> of_part{};
     std::size_t spine = 0;  ///< joint nearest to half way from hips to chest; may be the chest
 
-    /// Whether the rig has toes; where it has none, the foot's joint stands for them.
+    /// Is true if the rig has toes; where it has none, the foot's joint stands for them.
     [[nodiscard]] bool has_toes(bool left) const {
         return left ? (*this)[Part::left_toes] != (*this)[Part::left_foot]
                     : (*this)[Part::right_toes] != (*this)[Part::right_foot];

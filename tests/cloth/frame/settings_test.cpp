@@ -42,7 +42,7 @@ Settings with_air() {
 std::string name(const SettingNumber& number) {
     return std::string(number.type) + "::" + number.field;
 }
-/// Whether it counts steps, passes or threads, which take too long at the upper end.
+/// Returns true if it counts steps, passes or threads, which take too long at the upper end.
 bool is_whole(const SettingNumber& number) {
     return std::holds_alternative<int*>(number.value);
 }

@@ -64,7 +64,7 @@ struct Curtain {
         for (const Vec4& p : places) picture.push_back(xyz(p));
         return picture;
     }
-    /// Of free particles by mass: the mean velocity, and the root of the mean square of speeds [m/s].
+    /// The mean velocity of free particles by mass, and the root of the mean square of their speeds [m/s].
     struct Motion {
         Vector3 velocity = Vector3::Zero();
         float speed = 0;
@@ -95,8 +95,8 @@ float largest_difference(const std::vector<Vector3>& a, const std::vector<Vector
     return most;
 }
 
-/// What is drawn jumps by what the coarse mesh cannot have: little in a breeze, more where fine folds
-/// flutter.
+/// The drawn mesh jumps by the folds that the coarse mesh cannot have: little in a breeze, more where fine
+/// folds flutter.
 TEST(CarryState, TheDrawnMeshHardlyJumps) {
     struct Case {
         float wind, gust, to_coarse, to_fine;  // [m/s], [m]

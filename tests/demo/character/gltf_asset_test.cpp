@@ -1,4 +1,4 @@
-// What hosts read from glTF files: forms of triangles, sparse and compressed data, skins and their motion.
+// glTF files as hosts read them: forms of triangles, sparse and compressed data, skins and their motion.
 
 #include "weft/gltf.h"
 

@@ -39,7 +39,7 @@ constexpr std::size_t fields_of() {
         return sizeof...(Fields);
 }
 
-/// Whether each field has its line in fields.h.
+/// Is true if each field has its line in fields.h.
 template <class... Structs>
 constexpr bool are_listed = ((lines_of<Structs>() == fields_of<Structs>()) && ...);
 static_assert(

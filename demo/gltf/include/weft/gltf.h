@@ -23,7 +23,7 @@ struct GltfJoint {
     Vec3 rest{};               ///< position in the rest pose [m]
 };
 
-/// One primitive of triangles, where its node puts it.
+/// A primitive of triangles, where its node puts it.
 struct GltfPart {
     std::string material;          ///< name of its material; empty: none
     std::optional<Vec3> colour{};  ///< base colour of its material, linear RGB from 0 to 1
@@ -41,7 +41,7 @@ struct GltfPart {
 /// A transform as a matrix of four columns, one after the other, as graphics interfaces take it.
 using GltfMatrix = std::array<float, 16>;
 
-/// What a file has. Copies share the motion.
+/// The parts, joints and motion of a file. Copies share the motion.
 class GltfAsset {
   public:
     /// Reads .gltf and .glb, told apart by their first bytes, and the buffers that they name, 2 GiB at most:
@@ -51,7 +51,7 @@ class GltfAsset {
     /// read. Errors name the file and the value: what cannot be read or is no glTF 2, an extension that
     /// hides the data, a value of the wrong kind or out of its range, more vertices than a mesh may have.
     [[nodiscard]] static Result<GltfAsset> load(const std::filesystem::path& file);
-    /// Whether load() reads KHR_draco_mesh_compression.
+    /// Returns true if load() reads KHR_draco_mesh_compression.
     [[nodiscard]] static bool reads_draco();
 
     [[nodiscard]] const std::vector<GltfPart>& parts() const { return parts_; }
