@@ -248,9 +248,13 @@ Player::Answered Player::make(const Operation& operation, const MoveCloth& call)
 }
 
 Player::Answered Player::make(const Operation& operation, const ResetCloth& call) {
-    const auto answer = world_.reset_cloth(*cloths_[operation.cloth], call.positions);
+    const ClothId cloth = *cloths_[operation.cloth];
+    const auto answer =
+        call.velocities.empty()
+            ? world_.reset_cloth(cloth, call.positions)
+            : world_.resume_cloth(cloth, call.positions, call.previous_positions, call.velocities);
     if (!answer) return answer;
-    const ClothView view = *world_.cloth(*cloths_[operation.cloth]);
+    const ClothView view = *world_.cloth(cloth);
     for (auto& [i, target] : pins_[operation.cloth]) {
         const Vec4& there = view.positions[i];
         target = {there.x, there.y, there.z};

@@ -224,6 +224,14 @@ void Author::reset_cloth() {
     for (const Vec3& p : cloths_[cloth].mesh.positions)
         call.positions.push_back({p.x + by.x, p.y + by.y, p.z + by.z});
     if (random_.chance(0.05)) call.positions.emplace_back();
+    if (random_.chance(0.5)) {
+        const Vec3 velocity = random_.point(random_.of_any_size(1e-3f, 1e4f));
+        call.velocities.assign(call.positions.size(), velocity);
+        for (const Vec3& p : call.positions)
+            call.previous_positions.push_back(
+                {p.x - velocity.x / 60, p.y - velocity.y / 60, p.z - velocity.z / 60});
+        if (random_.chance(0.05)) call.velocities.back().x = std::numeric_limits<float>::infinity();
+    }
     add(std::move(call), Answer::either, cloth);
 }
 

@@ -118,6 +118,7 @@ struct MoveCloth {
 };
 struct ResetCloth {
     std::vector<Vec3> positions;
+    std::vector<Vec3> previous_positions, velocities;  ///< for resume_cloth(); empty: reset_cloth()
 };
 struct SetFrame {
     Transform pose;

@@ -197,7 +197,9 @@ static std::string text_of(const MoveCloth& call) {
     return "move_cloth(" + text_of(call.by) + ")";
 }
 static std::string text_of(const ResetCloth& call) {
-    return "reset_cloth(" + text_of(call.positions.front()) + " ...)";
+    if (call.velocities.empty()) return "reset_cloth(" + text_of(call.positions.front()) + " ...)";
+    return "resume_cloth(" + text_of(call.positions.front()) + " ..., at " +
+           text_of(call.velocities.front()) + " m/s)";
 }
 static std::string text_of(const SetFrame& call) {
     return "set_frame(" + text_of(call.pose) + ")";
