@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -47,13 +48,15 @@ struct SceneCloth {
 struct SceneSolid {
     Mesh mesh;  ///< in the world; shared vertices are shaded smoothly
     Vec3 colour;
-    std::shared_ptr<const std::vector<Vec3>> moving{};  ///< present vertices, if they move
+    std::function<void(std::span<Vec3>)> place{};  ///< writes the present vertices; empty: they keep still
+    std::vector<Vec4> tints{};                     ///< as SceneCloth::tints
 };
 
 /// The result of build(), for the program that shows the scene.
 struct SceneContent {
     std::vector<SceneCloth> cloths;
     std::vector<ColliderId> drawn_colliders;  ///< balls, capsules and boxes to draw; planes are the ground
+    std::vector<ColliderId> clad_colliders;   ///< those that a solid is drawn in place of
     std::vector<SceneSolid> solids;
     std::vector<std::string> notes{};  ///< for the user: what the scene has made of a file
     render::OrbitCamera camera;

@@ -39,11 +39,13 @@ Vec3 pointed_place(const Simulation& simulation, const render::OrbitCamera& came
         any = true;
     };
     if (const auto cloth = pointed_cloth(simulation.world(), ray)) meet(cloth->distance);
-    for (const ColliderId id : simulation.content().drawn_colliders) {
-        const auto collider = simulation.world().collider(id);
-        const auto distance = collider ? distance_to(*collider, ray) : std::nullopt;
-        if (distance) meet(*distance);
-    }
+    const SceneContent& content = simulation.content();
+    for (const auto& colliders : {std::span(content.drawn_colliders), std::span(content.clad_colliders)})
+        for (const ColliderId id : colliders) {
+            const auto collider = simulation.world().collider(id);
+            const auto distance = collider ? distance_to(*collider, ray) : std::nullopt;
+            if (distance) meet(*distance);
+        }
     if (ray.direction.y < 0) meet(-ray.origin.y / ray.direction.y);
     if (!any) along = camera.distance;
     return to_vec3(to_vector(ray.origin) + along * to_vector(ray.direction));

@@ -20,8 +20,8 @@ struct PointedCloth {
 };
 [[nodiscard]] std::optional<PointedCloth> pointed_cloth(const World& world, const render::Ray& ray);
 
-/// The ray's first hit on cloth, a drawn collider or the floor, within twice the camera's distance. Without a
-/// hit: the point at the camera's distance.
+/// The ray's first hit on cloth, a collider that is seen or the floor, within twice the camera's distance.
+/// Without a hit: the point at the camera's distance.
 [[nodiscard]] Vec3 pointed_place(const Simulation& simulation, const render::OrbitCamera& camera,
                                  const render::Ray& ray);
 

@@ -92,12 +92,14 @@ void Picture::show_solid(const SceneSolid& solid) {
 }
 
 void Picture::update_solid(const SceneSolid& solid, render::ClothHandle drawn) {
-    Mesh mesh{.positions = solid.moving ? *solid.moving : solid.mesh.positions,
-              .triangles = solid.mesh.triangles};
+    Mesh mesh{.positions = solid.mesh.positions, .triangles = solid.mesh.triangles};
+    if (solid.place) solid.place(mesh.positions);
     std::vector<Vec4> positions;
     for (const Vec3& p : mesh.positions) positions.push_back({p.x, p.y, p.z, 0});
-    renderer_.update_cloth(
-        drawn, {.positions = positions, .previous_positions = positions, .normals = vertex_normals(mesh)});
+    renderer_.update_cloth(drawn, {.positions = positions,
+                                   .previous_positions = positions,
+                                   .normals = vertex_normals(mesh),
+                                   .colours = solid.tints});
 }
 
 void Picture::set_look(const QualityLevel& level, const Inside& inside) {
@@ -110,7 +112,7 @@ void Picture::update(const Simulation& simulation) {
     if (cuts_ != simulation.cuts() || rounds() != shown_rounded_) return show(simulation);  // show() updates
     const std::vector<SceneSolid>& solids = simulation.content().solids;
     for (std::size_t i = 0; i < solids_.size(); ++i)
-        if (solids[i].moving) update_solid(solids[i], solids_[i]);
+        if (solids[i].place) update_solid(solids[i], solids_[i]);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         const SceneCloth& drawn = simulation.content().cloths[i];
         const auto cloth = simulation.world().cloth(drawn.id);

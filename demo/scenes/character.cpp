@@ -2,8 +2,10 @@
 
 #include "demo/character/character.h"
 
+#include <algorithm>
 #include <array>
 
+#include "demo/character/body/body_figure.h"
 #include "demo/character/garment/wear.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
@@ -20,6 +22,19 @@ constexpr float crowd_thickness = 0.01f;
 constexpr std::uint32_t drawn_vertices = 30000;  // of a dress
 constexpr std::array<Vec3, 4> crowd_colours{
     {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
+
+constexpr float figure_cell = 0.022f, crowd_cell = 0.03f;  // of figures' meshes [m]
+
+/// Colours of a figure.
+struct Complexion {
+    Vec3 skin, hair, shoe;
+};
+constexpr std::array<Complexion, 5> complexions{
+    {{{0.58f, 0.34f, 0.23f}, {0.05f, 0.025f, 0.015f}, {0.05f, 0.05f, 0.06f}},
+     {{0.66f, 0.42f, 0.30f}, {0.22f, 0.11f, 0.04f}, {0.20f, 0.05f, 0.04f}},
+     {{0.26f, 0.13f, 0.075f}, {0.015f, 0.012f, 0.012f}, {0.30f, 0.26f, 0.20f}},
+     {{0.42f, 0.23f, 0.14f}, {0.03f, 0.018f, 0.012f}, {0.04f, 0.05f, 0.12f}},
+     {{0.68f, 0.45f, 0.34f}, {0.42f, 0.26f, 0.10f}, {0.05f, 0.05f, 0.06f}}}};
 
 /// Binds the garment's finer mesh, if there is one, to be drawn in place of its cloth.
 Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {
@@ -60,13 +75,9 @@ class Walkers final : public Scene {
             SceneCloth& cloth = content.cloths.emplace_back(
                 SceneCloth{character.cloth(), character.garment().mesh, {.front = colour}});
             if (auto bound = bind_fine(world, character.garment(), cloth); !bound) return bound.error();
-            content.drawn_colliders.insert(content.drawn_colliders.end(), character.colliders().begin(),
-                                           character.colliders().end());
-            if (character.skin_places())
-                content.solids.push_back(SceneSolid{
-                    {.positions = *character.skin_places(), .triangles = character.skin().triangles()},
-                    {0.75f, 0.72f, 0.68f},
-                    character.skin_places()});
+            content.clad_colliders.insert(content.clad_colliders.end(), character.colliders().begin(),
+                                          character.colliders().end());
+            content.solids.push_back(character.skin_places() ? skin_of(character) : figure_of(number));
         }
         content.notes = walkers_.front().garment().notes;
         const float size = 0.5f * crowd_spacing * static_cast<float>(rows_ + columns_ - 2);
@@ -103,6 +114,36 @@ class Walkers final : public Scene {
     }
 
   private:
+    /// The triangles that cloth meets.
+    [[nodiscard]] static SceneSolid skin_of(const Character& character) {
+        return {{.positions = *character.skin_places(), .triangles = character.skin().triangles()},
+                {0.75f, 0.72f, 0.68f},
+                [places = character.skin_places()](std::span<Vec3> to) {
+                    std::ranges::copy(*places, to.begin());
+                }};
+    }
+
+    /// A smooth figure within the capsules that cloth meets. Walkers of one skeleton have one.
+    [[nodiscard]] SceneSolid figure_of(std::uint32_t number) {
+        const Character& character = walkers_[number];
+        if (!figure_)
+            figure_ = std::make_shared<const BodyFigure>(character.body(), character.skeleton(),
+                                                         is_crowd() ? crowd_cell : figure_cell);
+        const Figure& figure = figure_->figure();
+        const Complexion& own = complexions[number % complexions.size()];
+        SceneSolid solid{{.positions = std::vector<Vec3>(figure.size()), .triangles = figure.triangles()},
+                         own.skin,
+                         [this, number](std::span<Vec3> to) {
+                             const Character& who = walkers_[number];
+                             figure_->place(who.pose(), who.capsules(), to);
+                         }};
+        for (const Figure::Wear& wear : figure.wear()) {
+            const Vec3& c = wear.hair > 0 ? own.hair : own.shoe;
+            solid.tints.push_back({c.x, c.y, c.z, std::max(wear.hair, wear.shoe)});
+        }
+        return solid;
+    }
+
     [[nodiscard]] bool is_crowd() const { return rows_ * columns_ > 1; }
 
     [[nodiscard]] CharacterSettings settings_of(std::uint32_t number, const SceneOptions& options) const {
@@ -130,6 +171,7 @@ class Walkers final : public Scene {
     std::uint32_t rows_, columns_;
     bool run_;
     std::vector<Character> walkers_;
+    std::shared_ptr<const BodyFigure> figure_;
 };
 
 }  // namespace

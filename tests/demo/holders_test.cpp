@@ -29,9 +29,11 @@ float distance_to_solids(const Simulation& simulation, const Annotation& drawn, 
         if (const auto* rod = std::get_if<Capsule>(&collider->shape))
             least = std::min(least, distance_to_segment(p, rod->a, rod->b) - rod->radius);
     }
-    for (const SceneSolid& solid : simulation.content().solids)
-        for (const Vec3& corner : solid.moving ? *solid.moving : solid.mesh.positions)
-            least = std::min(least, (p - to_vector(corner)).norm());
+    for (const SceneSolid& solid : simulation.content().solids) {
+        std::vector<Vec3> corners = solid.mesh.positions;
+        if (solid.place) solid.place(corners);
+        for (const Vec3& corner : corners) least = std::min(least, (p - to_vector(corner)).norm());
+    }
     return least;
 }
 

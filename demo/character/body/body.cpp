@@ -36,7 +36,7 @@ class LimbMaker {
     [[nodiscard]] Limb::End end(std::size_t joint, const Vector3& where, float radius) const {
         return {joint, where - rest_.positions[joint], radius};
     }
-    void add(const Limb::End& a, const Limb::End& b) { limbs_.push_back({a, b}); }
+    void add(LimbKind kind, const Limb::End& a, const Limb::End& b) { limbs_.push_back({a, b, kind}); }
 
     /// Adds two columns, from the hips to the waist and on to the shoulders. Their distance is in proportion
     /// to the widths of hips and shoulders.
@@ -52,19 +52,19 @@ class LimbMaker {
             const Limb::End middle = end(joints_.spine, waist + out(0.42f * hips), waist_radius * leg_);
             const Limb::End top =
                 end(joints_[Part::chest], high + out(0.29f * shoulders), chest_radius * leg_);
-            add(bottom, middle);
-            add(middle, top);
+            add(LimbKind::trunk, bottom, middle);
+            add(LimbKind::trunk, middle, top);
         }
     }
 
     void add_head() {
         const Vector3 top = farthest(joints_[Part::head]);
-        add(end(joints_[Part::neck], at(Part::neck), 1.1f * neck_radius * leg_),
+        add(LimbKind::neck, end(joints_[Part::neck], at(Part::neck), 1.1f * neck_radius * leg_),
             end(joints_[Part::head], at(Part::head), neck_radius * leg_));
         Vector3 up = top - at(Part::head);
         if (up.norm() < 0.5f * head_radius * leg_) up = {0, 2 * head_radius * leg_, 0};  // no joint above
         const Vector3 crown = at(Part::head) + std::max(0.0f, 1 - head_radius * leg_ / up.norm()) * up;
-        add(end(joints_[Part::head], at(Part::head) + 0.25f * up, 0.8f * head_radius * leg_),
+        add(LimbKind::head, end(joints_[Part::head], at(Part::head) + 0.25f * up, 0.8f * head_radius * leg_),
             end(joints_[Part::head], crown, head_radius * leg_));
     }
 
@@ -76,22 +76,33 @@ class LimbMaker {
         const Part arm = part(Part::left_arm), forearm = part(Part::left_forearm),
                    hand = part(Part::left_hand);
         const Part thigh = part(Part::left_thigh), shin = part(Part::left_shin), foot = part(Part::left_foot);
-        const auto bone_of = [&](Part from, Part to, float radius_a, float radius_b) {
-            add(end(joints_[from], at(from), radius_a), end(joints_[from], at(to), radius_b));
+        const auto bone_of = [&](LimbKind kind, Part from, Part to, float radius_a, float radius_b) {
+            add(kind, end(joints_[from], at(from), radius_a), end(joints_[from], at(to), radius_b));
         };
         const float upper_arm = bone(arm, forearm), calf = bone(shin, foot);
-        add(end(joints_[Part::chest], 0.75f * at(Part::neck) + 0.25f * at(arm), shoulder * leg_),
+        add(LimbKind::shoulder,
+            end(joints_[Part::chest], 0.75f * at(Part::neck) + 0.25f * at(arm), shoulder * leg_),
             end(joints_[arm], at(arm), shoulder * leg_));
-        bone_of(arm, forearm, arm_top * upper_arm, elbow * upper_arm);
-        bone_of(forearm, hand, elbow * upper_arm, wrist * upper_arm);
+        bone_of(LimbKind::arm, arm, forearm, arm_top * upper_arm, elbow * upper_arm);
+        bone_of(LimbKind::forearm, forearm, hand, elbow * upper_arm, wrist * upper_arm);
         const Vector3 tip = at(hand) + 0.75f * (farthest(joints_[hand]) - at(hand));
-        add(end(joints_[hand], at(hand), 1.1f * wrist * upper_arm),
+        add(LimbKind::hand, end(joints_[hand], at(hand), 1.1f * wrist * upper_arm),
             end(joints_[hand], tip, 1.1f * wrist * upper_arm));
-        bone_of(thigh, shin, thigh_top * bone(thigh, shin), knee * bone(thigh, shin));
-        bone_of(shin, foot, calf_top * calf, ankle * calf);
+        bone_of(LimbKind::thigh, thigh, shin, thigh_top * bone(thigh, shin), knee * bone(thigh, shin));
+        bone_of(LimbKind::shin, shin, foot, calf_top * calf, ankle * calf);
         const Vector3 toes = joints_.has_toes(left) ? at(part(Part::left_toes)) : toes_of(foot);
-        add(end(joints_[foot], at(foot), ankle * calf),
-            end(joints_[foot], toes, toe * (toes - at(foot)).norm()));
+        const float ball = toe * (toes - at(foot)).norm();
+        add(LimbKind::sole, end(joints_[foot], heel_of(at(foot), toes, ball), 0.85f * ball),
+            end(joints_[foot], toes, ball));
+        add(LimbKind::foot, end(joints_[foot], at(foot), ankle * calf), end(joints_[foot], toes, ball));
+    }
+
+    /// The heel is behind the ankle, and on the ground where the ball of the foot is.
+    [[nodiscard]] static Vector3 heel_of(const Vector3& foot, const Vector3& toes, float ball) {
+        Vector3 back = foot - toes;
+        back.y() = 0;
+        const Vector3 heel = foot + 0.2f * back;
+        return {heel.x(), toes.y() - 0.15f * ball, heel.z()};
     }
 
     /// Where toes begin on a rig without them: at the foot's end, or else ahead of the ankle and below it, in
@@ -158,7 +169,7 @@ Result<Body> Body::create(const Skeleton& skeleton) {
 }
 
 TaperedCapsule Body::placed(std::size_t limb, const Pose& pose, float growth) const {
-    const auto& [a, b] = limbs_[limb];
+    const auto& [a, b, kind] = limbs_[limb];
     return {.a = to_vec3(pose.at(a.joint, a.local)),
             .b = to_vec3(pose.at(b.joint, b.local)),
             .radius_a = growth * a.radius,
@@ -196,31 +207,8 @@ JointAngles Body::stance(const Skeleton& skeleton, float arms, float apart) cons
     return angles;
 }
 
-/// Unless one ball contains the other, a cone joins them. It touches each ball in a circle whose plane is
-/// `sine` times the radius from the centre, along the axis (I. Quilez, "Round cone", 2018).
 SurfaceDistance distance_to(const TaperedCapsule& capsule, const Vector3& point) {
-    const Vector3 a = to_vector(capsule.a), b = to_vector(capsule.b);
-    const Vector3 axis = b - a, from_a = point - a;
-    const float length = axis.norm(), shrink = capsule.radius_a - capsule.radius_b;
-    const auto from_ball = [&](const Vector3& centre, float radius) {
-        const Vector3 away = point - centre;
-        const float distance = away.norm();
-        return SurfaceDistance{distance - radius, distance > 0 ? Vector3(away / distance) : Vector3::UnitY()};
-    };
-    if (length <= std::abs(shrink))
-        return shrink > 0 ? from_ball(a, capsule.radius_a) : from_ball(b, capsule.radius_b);
-    const Vector3 along = axis / length;
-    const float sine = shrink / length, cosine = std::sqrt(1 - sine * sine);
-    const float x = from_a.dot(along);
-    const Vector3 across = from_a - x * along;
-    const float y = across.norm();
-    const float t =
-        (x - y * sine / cosine) / length;  // where the cone's normal through the point meets the axis
-    if (t <= 0) return from_ball(a, capsule.radius_a);
-    if (t >= 1) return from_ball(b, capsule.radius_b);
-    const Vector3 out = y > 0 ? Vector3(across / y) : along.unitOrthogonal();
-    const Vector3 normal = cosine * out + sine * along;
-    return {normal.dot(from_a) - capsule.radius_a, normal};
+    return RoundCone(capsule).distance_to(point);
 }
 
 }  // namespace weft::demo

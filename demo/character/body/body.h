@@ -4,9 +4,25 @@
 #include <vector>
 
 #include "demo/character/body/body_joints.h"
+#include "demo/character/body/round_cone.h"
 #include "weft/collider.h"
 
 namespace weft::demo {
+
+/// The part of a person that a limb stands for.
+enum class LimbKind : std::uint8_t {
+    trunk,
+    neck,
+    head,
+    shoulder,
+    arm,
+    forearm,
+    hand,
+    thigh,
+    shin,
+    sole,
+    foot
+};
 
 /// A tapered capsule. Each end is fixed in a joint's frame.
 struct Limb {
@@ -16,6 +32,7 @@ struct Limb {
         float radius;   ///< [m]
     };
     End a, b;
+    LimbKind kind;
 };
 
 class Body {
@@ -41,11 +58,7 @@ class Body {
     std::vector<Limb> limbs_;
 };
 
-/// Signed distance of a point from a tapered capsule's surface [m], negative inside, and the outward normal.
-struct SurfaceDistance {
-    float distance;
-    Vector3 normal;
-};
+/// Signed distance of a point from a tapered capsule's surface [m], and the outward normal.
 [[nodiscard]] SurfaceDistance distance_to(const TaperedCapsule& capsule, const Vector3& point);
 
 }  // namespace weft::demo

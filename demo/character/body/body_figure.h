@@ -1,0 +1,23 @@
+#pragma once
+// The figure of a body that follows a skeleton.
+
+#include "demo/character/body/figure.h"
+
+namespace weft::demo {
+
+class BodyFigure {
+  public:
+    /// Meshes the body with edges of about `cell` [m], and keeps it within its limbs where joints are bent.
+    BodyFigure(const Body& body, const Skeleton& skeleton, float cell);
+
+    [[nodiscard]] const Figure& figure() const { return figure_; }
+    /// Writes each vertex's place [m]. Preconditions: `capsules` as Body::place() writes them for this pose,
+    /// of any girth; `to` has as many elements as the figure has vertices.
+    void place(const Pose& pose, std::span<const TaperedCapsule> capsules, std::span<Vec3> to) const;
+
+  private:
+    FigureRig rig_;
+    Figure figure_;
+};
+
+}  // namespace weft::demo
