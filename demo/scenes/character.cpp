@@ -23,7 +23,7 @@ constexpr std::uint32_t drawn_vertices = 30000;  // of a dress
 constexpr std::array<Vec3, 4> crowd_colours{
     {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
 
-constexpr float figure_cell = 0.022f, crowd_cell = 0.03f;  // of figures' meshes [m]
+constexpr float figure_cell = 0.026f, crowd_cell = 0.038f;  // of figures' meshes [m]
 
 /// Colours of a figure.
 struct Complexion {

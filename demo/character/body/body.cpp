@@ -92,7 +92,7 @@ class LimbMaker {
         bone_of(LimbKind::shin, shin, foot, calf_top * calf, ankle * calf);
         const Vector3 toes = joints_.has_toes(left) ? at(part(Part::left_toes)) : toes_of(foot);
         const float ball = toe * (toes - at(foot)).norm();
-        add(LimbKind::sole, end(joints_[foot], heel_of(at(foot), toes, ball), 0.85f * ball),
+        add(LimbKind::sole, end(joints_[foot], heel_of(at(foot), toes, ball), 0.95f * ball),
             end(joints_[foot], toes, ball));
         add(LimbKind::foot, end(joints_[foot], at(foot), ankle * calf), end(joints_[foot], toes, ball));
     }
@@ -101,8 +101,8 @@ class LimbMaker {
     [[nodiscard]] static Vector3 heel_of(const Vector3& foot, const Vector3& toes, float ball) {
         Vector3 back = foot - toes;
         back.y() = 0;
-        const Vector3 heel = foot + 0.2f * back;
-        return {heel.x(), toes.y() - 0.15f * ball, heel.z()};
+        const Vector3 heel = foot + 0.12f * back;
+        return {heel.x(), toes.y() - 0.05f * ball, heel.z()};
     }
 
     /// Where toes begin on a rig without them: at the foot's end, or else ahead of the ankle and below it, in

@@ -7,7 +7,7 @@ namespace weft::demo {
 
 class BodyFigure {
   public:
-    /// Meshes the body with edges of about `cell` [m], and keeps it within its limbs where joints are bent.
+    /// Meshes the body with edges of about `cell` [m].
     BodyFigure(const Body& body, const Skeleton& skeleton, float cell);
 
     [[nodiscard]] const Figure& figure() const { return figure_; }

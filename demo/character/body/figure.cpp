@@ -1,7 +1,7 @@
 #include "demo/character/body/figure.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "demo/character/body/surface_nets.h"
@@ -10,32 +10,37 @@ namespace weft::demo {
 namespace {
 
 constexpr float falloff = 0.6f;  // of weights with the distance from a limb, over its radius
-constexpr float near_by = 1.6f;  // distance of limbs that a vertex follows, over their radius
-constexpr float least_inset = 5e-4f, most_inset = 0.012f;  // [m]
+constexpr float near_by = 1.1f;  // distance of limbs that a vertex follows, over their radius
+constexpr float inset = 5e-4f;   // below the surface of the limbs, for rounding and chords [m]
 
-/// Copies the limbs with head, hands and feet enlarged, so that an even grid meshes them finer.
+/// Enlarges a limb about a point: its length, and the radii of its ends.
+void enlarge(FigureLimb& limb, const Vector3& about, float longer, float wider_a, float wider_b,
+             const Vector3& shift) {
+    for (Vector3* end : {&limb.a, &limb.b}) *end = about + longer * (*end - about) + shift;
+    limb.radius_a *= wider_a;
+    limb.radius_b *= wider_b;
+}
+
+/// Copies the limbs with head, hands and feet enlarged, so that an even grid meshes them finer. They grow
+/// from where they are joined.
 std::vector<FigureLimb> enlarged(std::vector<FigureLimb> limbs) {
-    const auto scale = [](FigureLimb& limb, const Vector3& about, float factor, const Vector3& shift) {
-        for (Vector3* end : {&limb.a, &limb.b}) *end = about + factor * (*end - about) + shift;
-        limb.radius_a *= factor;
-        limb.radius_b *= factor;
-    };
     for (std::size_t k = 1; k < limbs.size(); ++k) {
         FigureLimb &limb = limbs[k], &before = limbs[k - 1];
-        const Vector3 way = (before.b - before.a).normalized();
+        const Vector3 joint = before.b, way = (before.b - before.a).normalized();
+        const auto lengthen = [&](float by, float wider) {
+            before.b += by * before.radius_b * way;
+            before.radius_b *= wider;
+            return Vector3(before.b - joint);
+        };
         if (limb.kind == LimbKind::hand) {
-            const Vector3 shift = 1.2f * limb.radius_a * way;
-            before.b += shift;
-            scale(limb, limb.a, 1.9f, shift);
+            enlarge(limb, joint, 2.4f, 1.8f, 3.0f, lengthen(1.5f, 1.8f));
+            limb.scale.setOnes();
         } else if (limb.kind == LimbKind::head) {
-            const Vector3 shift = 0.35f * limb.radius_b * way;
-            before.b += shift;
-            scale(limb, limb.a, 1.5f, 2 * shift);
+            enlarge(limb, joint, 2.0f, 1.6f, 2.0f, lengthen(1.0f, 1.35f));
         } else if (limb.kind == LimbKind::sole) {
-            const Vector3 shift = limb.radius_a * way, ankle = before.b;
-            before.b += shift;
-            scale(limb, ankle, 1.5f, shift);
-            scale(limbs[k + 1], ankle, 1.5f, shift);  // the foot
+            const Vector3 shift = lengthen(1.2f, 1.3f);
+            enlarge(limb, joint, 1.6f, 1.5f, 1.6f, shift);
+            enlarge(limbs[k + 1], joint, 1.6f, 1.3f, 1.6f, shift);  // the foot
         }
     }
     return limbs;
@@ -76,9 +81,43 @@ Vector3 turned(const FigureLimb& limb, float along, const Vector3& aside) {
     return mean * (aside.norm() / std::max(mean.norm(), 1e-6f));
 }
 
+/// Where triangles are sampled: their corners' shares, in quarters, without the corners themselves.
+constexpr std::array<std::array<float, 3>, 12> samples{{{2, 2, 0},
+                                                        {0, 2, 2},
+                                                        {2, 0, 2},
+                                                        {2, 1, 1},
+                                                        {1, 2, 1},
+                                                        {1, 1, 2},
+                                                        {3, 1, 0},
+                                                        {1, 3, 0},
+                                                        {0, 3, 1},
+                                                        {0, 1, 3},
+                                                        {3, 0, 1},
+                                                        {1, 0, 3}}};
+
+/// The limbs' surfaces that cloth meets, at one point.
+struct Depth {
+    SurfaceDistance surface{std::numeric_limits<float>::max(), Vector3::UnitY()};  // of the nearest
+    std::uint32_t holders = 0;  // a bit for each limb that contains the point
+};
+
+Depth depth_in(std::span<const RoundCone> cones, std::span<const std::uint8_t> limbs, const Vector3& point) {
+    Depth depth;
+    for (const std::uint8_t limb : limbs) {
+        const SurfaceDistance surface = cones[limb].distance_to(point);
+        if (surface.distance < depth.surface.distance) depth.surface = surface;
+        if (surface.distance <= 0) depth.holders |= 1u << limb;
+    }
+    return depth;
+}
+
+bool is_inside(std::span<const RoundCone> cones, std::span<const std::uint8_t> limbs, const Vector3& point) {
+    return std::ranges::any_of(limbs, [&](std::uint8_t limb) { return cones[limb].contains(point); });
+}
+
 float share_of_hair(const FigureLimb& head, const Vector3& point) {
     const Vector3 from_skull = head.axes_a.transpose() * (point - head.b) / head.radius_b;
-    return std::clamp(0.5f + 6 * (0.8f * from_skull.y() - 0.6f * from_skull.z() - 0.05f), 0.0f, 1.0f);
+    return std::clamp(0.5f + 6 * (0.8f * from_skull.y() - 0.6f * from_skull.z() + 0.2f), 0.0f, 1.0f);
 }
 
 }  // namespace
@@ -147,7 +186,6 @@ Figure::Vertex Figure::bind(const Vector3& point, const FigureField& field,
     float sum = 0;
     for (const auto& each : found) sum += each.first;
     Vertex vertex;
-    vertex.inset = least_inset;
     for (const auto& [weight, number] : found) {
         const FigureLimb& limb = limbs[number];
         const Vector3 axis = limb.b - limb.a;
@@ -157,7 +195,8 @@ Figure::Vertex Figure::bind(const Vector3& point, const FigureField& field,
         vertex.limbs[k] = number;
         vertex.weights[k] = weight / sum;
         vertex.along[k] = along;
-        vertex.aside[k] = limb.axes_a.transpose() * (point - limb.at(along)) / limb.radius(along);
+        vertex.aside[k] = (limb.axes_a.transpose() * (point - limb.at(along)) / limb.radius(along))
+                              .cwiseQuotient(limb.scale);
     }
     return vertex;
 }
@@ -174,55 +213,68 @@ Vector3 Figure::follow(const Vertex& vertex, std::span<const FigureLimb> limbs) 
 }
 
 void Figure::place(std::span<const FigureLimb> limbs, std::span<Vec3> to) const {
-    constexpr int rounds = 3;
+    constexpr int rounds = 2, presses = 4;
     const FigureField field(limbs);
     std::vector<RoundCone> cones;
     for (const FigureLimb& limb : limbs) cones.emplace_back(limb.a, limb.b, limb.radius_a, limb.radius_b);
+    std::vector<std::uint32_t> holders(size());
     for (std::size_t v = 0; v < size(); ++v) {
         const Vertex& vertex = vertices_[v];
         Vector3 p = follow(vertex, limbs);
         for (int round = 0; round < rounds; ++round) {
             const SurfaceDistance off = field.at(p, vertex.near());
-            p -= (off.distance + vertex.inset) * off.normal;
+            p -= (off.distance + inset) * off.normal;
         }
-        SurfaceDistance nearest = cones[vertex.limbs[0]].distance_to(p);
-        for (const std::uint8_t limb : vertex.near()) {
-            const SurfaceDistance off = cones[limb].distance_to(p);
-            if (off.distance < nearest.distance) nearest = off;
-        }
-        p -= std::max(nearest.distance + vertex.inset, 0.0f) * nearest.normal;
         to[v] = to_vec3(p);
+        holders[v] = keep_inside(v, cones, to);
+    }
+    std::vector<std::uint8_t> is_new(size(), 1);  // moved since its triangles were sampled
+    for (int press = 0; press < presses; ++press) {
+        std::vector<std::uint8_t> moved(size(), 0);
+        for (const Triangle& t : triangles_)
+            if ((holders[t[0]] & holders[t[1]] & holders[t[2]]) == 0 &&
+                (is_new[t[0]] | is_new[t[1]] | is_new[t[2]]) != 0)
+                press_inside(t, field, cones, {holders, moved, to});
+        is_new = std::move(moved);
     }
 }
 
-void Figure::keep_within(std::span<const FigureLimb> limbs) {
-    constexpr int rounds = 4;
-    constexpr float allowed = 3e-4f;  // [m]
-    std::vector<RoundCone> cones;
-    for (const FigureLimb& limb : limbs) cones.emplace_back(limb.a, limb.b, limb.radius_a, limb.radius_b);
-    const auto outside = [&](const Vector3& point, const Vertex& vertex) {
-        float least = 1;
-        for (const std::uint8_t limb : vertex.near())
-            least = std::min(least, cones[limb].distance_to(point).distance);
-        return least;
-    };
-    std::vector<Vec3> places(size());
-    std::vector<float> more(size());
-    for (int round = 0; round < rounds; ++round) {
-        place(limbs, places);
-        std::ranges::fill(more, 0.0f);
-        for (const Triangle& t : triangles_)
-            for (std::size_t c = 0; c < 3; ++c) {
-                const std::uint32_t a = t[c], b = t[(c + 1) % 3];
-                const Vector3 middle = 0.5f * (to_vector(places[a]) + to_vector(places[b]));
-                const float over =
-                    std::min(outside(middle, vertices_[a]), outside(middle, vertices_[b])) - allowed;
-                if (over <= 0) continue;
-                more[a] = std::max(more[a], over);
-                more[b] = std::max(more[b], over);
-            }
-        for (std::size_t v = 0; v < size(); ++v)
-            vertices_[v].inset = std::min(vertices_[v].inset + more[v], most_inset);
+/// Moves a vertex that is outside of all limbs to the nearest; returns which limbs contain it.
+std::uint32_t Figure::keep_inside(std::size_t v, std::span<const RoundCone> cones,
+                                  std::span<Vec3> places) const {
+    const Vector3 p = to_vector(places[v]);
+    const Depth depth = depth_in(cones, vertices_[v].near(), p);
+    if (depth.holders != 0) return depth.holders;
+    const Vector3 moved = p - (depth.surface.distance + inset) * depth.surface.normal;
+    places[v] = to_vec3(moved);
+    return depth_in(cones, vertices_[v].near(), moved).holders;
+}
+
+/// Moves a triangle's corners inwards where it spans the crease between limbs. Limbs are convex: a triangle
+/// within one of them needs no more than its corners.
+void Figure::press_inside(const Triangle& triangle, const FigureField& field,
+                          std::span<const RoundCone> cones, const Placing& of) const {
+    const std::array<std::span<const std::uint8_t>, 3> near{
+        vertices_[triangle[0]].near(), vertices_[triangle[1]].near(), vertices_[triangle[2]].near()};
+    for (const std::array<float, 3>& parts : samples) {
+        Vector3 point = Vector3::Zero();
+        for (std::size_t c = 0; c < 3; ++c) point += 0.25f * parts[c] * to_vector(of.places[triangle[c]]);
+        if (std::ranges::any_of(near, [&](const auto& limbs) { return is_inside(cones, limbs, point); }))
+            continue;
+        SurfaceDistance nearest = depth_in(cones, near[0], point).surface;
+        for (const auto& limbs : {near[1], near[2]}) {
+            const SurfaceDistance other = depth_in(cones, limbs, point).surface;
+            if (other.distance < nearest.distance) nearest = other;
+        }
+        const Vector3 way = field.at(point, near[0]).normal;  // out of the crease
+        const float by = nearest.distance / std::max(way.dot(nearest.normal), 0.4f);
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (parts[c] == 0) continue;
+            const std::uint32_t v = triangle[c];
+            of.places[v] = to_vec3(to_vector(of.places[v]) - by * way);
+            of.holders[v] = keep_inside(v, cones, of.places);
+            of.moved[v] = 1;
+        }
     }
 }
 

@@ -26,8 +26,6 @@ class Figure {
     /// Writes each vertex's place [m]. Preconditions: the limbs of the stance, in their order, in any pose;
     /// `to` has size() elements.
     void place(std::span<const FigureLimb> limbs, std::span<Vec3> to) const;
-    /// Moves vertices inwards where triangles would be outside of these limbs.
-    void keep_within(std::span<const FigureLimb> limbs);
 
     /// How much of a vertex is hair or shoe: 0 to 1.
     struct Wear {
@@ -43,12 +41,21 @@ class Figure {
         std::array<float, most> along{};         // place on each limb's axis
         std::array<Vector3, most> aside;         // from there, in the limb's axes, over its radius
         std::uint8_t count = 0;                  // of these limbs
-        float inset = 0;                         // below the surface [m]
         [[nodiscard]] std::span<const std::uint8_t> near() const { return {limbs.data(), count}; }
     };
     [[nodiscard]] static Vertex bind(const Vector3& point, const FigureField& field,
                                      std::span<const FigureLimb> limbs);
     [[nodiscard]] static Vector3 follow(const Vertex& vertex, std::span<const FigureLimb> limbs);
+    [[nodiscard]] std::uint32_t keep_inside(std::size_t v, std::span<const RoundCone> cones,
+                                            std::span<Vec3> places) const;
+    /// A placement that goes on, by vertex.
+    struct Placing {
+        std::span<std::uint32_t> holders;  // a bit for each limb that contains the vertex
+        std::span<std::uint8_t> moved;
+        std::span<Vec3> places;
+    };
+    void press_inside(const Triangle& triangle, const FigureField& field, std::span<const RoundCone> cones,
+                      const Placing& of) const;
     void smooth(const FigureField& field, std::span<Vec3> places) const;
 
     std::vector<Triangle> triangles_;

@@ -35,17 +35,30 @@ void unite(SurfaceDistance& all, float& blend, const SurfaceDistance& next, floa
 
 std::span<const FigureBlob> blobs_of(LimbKind kind) {
     static const std::array<FigureBlob, 1> plain{{{{0, middle, full}, {1, middle, full}}}};
-    static const std::array<FigureBlob, 3> head{{
-        // Skull, jaw and nose.
-        {{0.4f, {0, 0, -0.02f}, 0.82f}, {1, {0, -0.02f, -0.06f}, 0.90f}, {0.84f, 1, 1}, 0.4f},
-        {{0.1f, {0, -0.30f, 0.36f}, 0.44f}, {0.7f, {0, 0, 0.20f}, 0.66f}, {0.86f, 1, 1}, 0.4f},
-        {{0.30f, {0, -0.02f, 0.84f}, 0.10f}, {0.62f, {0, 0.05f, 0.78f}, 0.06f}, {1, 1, 1}, 0.10f},
+    static const std::array<FigureBlob, 1> neck{{
+        {{0, middle, 0.88f}, {1, {0, 0, -0.12f}, 0.84f}, {1, 1, 1}, 0.36f},
+    }};
+    static const std::array<FigureBlob, 5> head{{
+        // Skull, jaw, nose and ears.
+        {{0.75f, {0, 0, -0.08f}, 0.86f}, {1, {0, 0, -0.14f}, 0.86f}, {0.84f, 1, 1}, 0.4f},
+        {{-0.35f, {0, 0, 0.60f}, 0.36f}, {0.55f, {0, 0, 0.12f}, 0.60f}, {0.86f, 1, 1}, 0.3f},
+        {{0.22f, {0, 0, 0.86f}, 0.11f}, {0.70f, {0, 0, 0.68f}, 0.06f}, {1, 1, 1}, 0.10f},
+        {{0.36f, {0.78f, 0, -0.06f}, 0.09f}, {0.70f, {0.80f, 0, -0.12f}, 0.11f}, {1, 1, 1}, 0.06f},
+        {{0.36f, {-0.78f, 0, -0.06f}, 0.09f}, {0.70f, {-0.80f, 0, -0.12f}, 0.11f}, {1, 1, 1}, 0.06f},
     }};
     static const std::array<FigureBlob, 3> hand{{
-        // Palm, fingers and thumb.
-        {{-0.1f, middle, 0.72f}, {0.36f, {0, 0, -0.05f}, 0.86f}, {1, 0.58f, 1}, 0.4f},
-        {{0.36f, {0, 0, -0.10f}, 0.80f}, {1.0f, {0, -0.25f, -0.05f}, 0.46f}, {1, 0.50f, 1}, 0.4f},
-        {{0.10f, {0, -0.05f, 0.35f}, 0.34f}, {0.52f, {0, -0.15f, 0.70f}, 0.22f}, {1, 1, 1}, 0.16f},
+        // Palm, fingers and thumb; the limb itself is flat.
+        {{-0.2f, middle, 0.88f}, {0.34f, {0, 0, -0.10f}, 0.86f}, {1, 1, 1}, 0.4f},
+        {{0.34f, {0, 0, -0.20f}, 0.72f}, {1.05f, {0, -0.3f, -0.24f}, 0.54f}, {1, 1, 1}, 0.4f},
+        {{0.1f, {0, 0, 0.40f}, 0.42f}, {0.56f, {0, -0.15f, 0.68f}, 0.30f}, {1, 1, 1}, 0.12f},
+    }};
+    static const std::array<FigureBlob, 1> forearm{{
+        {{0, middle, full}, {0.95f, middle, 0.88f}, {1, 1, 1}},
+    }};
+    static const std::array<FigureBlob, 2> shin{{
+        // Bone and calf.
+        {{0, middle, 0.93f}, {1, middle, full}, {1, 1, 1}},
+        {{0.12f, {0, 0, -0.18f}, 0.78f}, {0.5f, {0, 0, -0.24f}, 0.72f}, {1, 1, 1}, 0.8f},
     }};
     static const std::array<FigureBlob, 2> foot{{
         // Ankle and instep.
@@ -56,10 +69,16 @@ std::span<const FigureBlob> blobs_of(LimbKind kind) {
         {{0, middle, 0.96f}, {1, {0, -0.05f, 0.1f}, 0.90f}, {1, 1, 1}, 0.6f},
     }};
     switch (kind) {
+        case LimbKind::neck:
+            return neck;
         case LimbKind::head:
             return head;
         case LimbKind::hand:
             return hand;
+        case LimbKind::forearm:
+            return forearm;
+        case LimbKind::shin:
+            return shin;
         case LimbKind::foot:
             return foot;
         case LimbKind::sole:
@@ -82,15 +101,16 @@ FigureField::Placed FigureField::place(const FigureBlob& blob, const FigureLimb&
         return limb.radius(std::clamp(end.along, 0.0f, 1.0f));
     };
     const auto point = [&](const FigureBlob::End& end) -> Vector3 {
-        return limb.at(end.along) + radius(end) * (limb.axes_a * end.aside);
+        return limb.at(end.along) + radius(end) * (limb.axes_a * end.aside.cwiseProduct(limb.scale));
     };
     const Vector3 a = point(blob.a), b = point(blob.b);
     const float radius_a = blob.a.radius * radius(blob.a), radius_b = blob.b.radius * radius(blob.b);
     const float blend = blob.blend * limb.radius(0.5f);
-    if (blob.scale == Vector3::Ones())
+    const Vector3 scale = blob.scale.cwiseProduct(limb.scale);
+    if (scale == Vector3::Ones())
         return {
             RoundCone(a, b, radius_a, radius_b), a, Matrix3::Identity(), Matrix3::Identity(), blend, false};
-    const Vector3 finer = blob.scale.cwiseInverse();
+    const Vector3 finer = scale.cwiseInverse();
     const Matrix3 to_local = finer.asDiagonal() * limb.axes_a.transpose();
     const Matrix3 to_world = limb.axes_a * finer.asDiagonal();
     return {RoundCone(Vector3::Zero(), to_local * (b - a), radius_a, radius_b),

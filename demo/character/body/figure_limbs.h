@@ -15,6 +15,7 @@ struct FigureLimb {
     Vector3 a, b;              ///< ends of the limb's axis [m]
     float radius_a, radius_b;  ///< [m]
     Matrix3 axes_a, axes_b;
+    Vector3 scale = Vector3::Ones();  ///< of the limb's shape along its axes: hands are flat
 
     [[nodiscard]] Vector3 at(float along) const { return a + along * (b - a); }
     [[nodiscard]] float radius(float along) const { return radius_a + along * (radius_b - radius_a); }

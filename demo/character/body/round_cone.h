@@ -21,6 +21,7 @@ class RoundCone {
         : RoundCone(to_vector(capsule.a), to_vector(capsule.b), capsule.radius_a, capsule.radius_b) {}
 
     [[nodiscard]] SurfaceDistance distance_to(const Vector3& point) const;
+    [[nodiscard]] bool contains(const Vector3& point) const { return distance_to(point).distance <= 0; }
 
   private:
     Vector3 a_, b_, along_;
