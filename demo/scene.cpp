@@ -6,6 +6,8 @@ namespace weft::demo {
 
 void Scene::before_step(World& /*world*/, double /*time*/, float /*dt*/) {}
 
+void Scene::go_to(double /*time*/) {}
+
 bool Scene::cut_before_step(World& /*world*/, SceneContent& /*content*/) {
     return false;
 }

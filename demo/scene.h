@@ -44,12 +44,16 @@ struct SceneCloth {
 /// A look whose back is paler than its front.
 [[nodiscard]] render::FabricLook two_sided(const Vec3& front, float stripe_width = 0);
 
+/// The moment at which a solid is placed: after the last step, or before it, where pictures in between need
+/// both.
+enum class SolidMoment { now, before_last_step };
+
 /// A solid of triangles in the scene.
 struct SceneSolid {
     Mesh mesh;  ///< in the world; shared vertices are shaded smoothly
     Vec3 colour;
-    std::function<void(std::span<Vec3>)> place{};  ///< writes the present vertices; empty: they keep still
-    std::vector<Vec4> tints{};                     ///< as SceneCloth::tints
+    std::function<void(std::span<Vec3>, SolidMoment)> place{};  ///< writes vertices; empty: it keeps still
+    std::vector<Vec4> tints{};                                  ///< as SceneCloth::tints
 };
 
 /// The result of build(), for the program that shows the scene.
@@ -72,6 +76,8 @@ class Scene {
     [[nodiscard]] virtual Result<SceneContent> build(World& world, const SceneOptions& options) = 0;
     /// Moves pins and colliders before the step from `time` to `time + dt` [s].
     virtual void before_step(World& world, double time, float dt);
+    /// The World was restored to its state at that time [s]: what is drawn without it goes there, too.
+    virtual void go_to(double time);
     /// Called after before_step(): cuts cloth, in the content as well. True: cloth was cut.
     virtual bool cut_before_step(World& world, SceneContent& content);
 

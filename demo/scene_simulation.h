@@ -40,7 +40,10 @@ class Simulation {
     /// The scene's part of step() alone: World::step() has to follow.
     void before_step(float dt);
     /// Call this when the World was restored to its state at that time [s].
-    void set_time(double seconds) { time_ = seconds; }
+    void set_time(double seconds) {
+        time_ = seconds;
+        scene_->go_to(seconds);
+    }
 
     /// Restarts the scene with the present settings of the world and the cloths. Error: why it cannot be
     /// built any more; the running scene is unchanged. A recording ends with its World.

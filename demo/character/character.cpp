@@ -112,7 +112,7 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
     character.binding_ = std::move(*binding);
     character.bind_limits(pose, &*all);
     if (has_skin) character.take_skin(std::move(skin));
-    character.follow(0);
+    character.go_to(0);
     return character;
 }
 
@@ -153,12 +153,17 @@ Character::Character(Body body, Performance performance, Garment garment, Fit fi
     for (std::vector<Vec3>* positions : {&garment_.mesh.positions, &garment_.fine.positions}) {
         for (Vec3& p : *positions) p = to_vec3(to_vector(p) + to_vector(settings_.place));
     }
-    follow(0);
+    go_to(0);
 }
 
 void Character::take_skin(Skin skin) {
     skin_ = std::move(skin);
     skin_places_ = std::make_shared<std::vector<Vec3>>(skin_.size());
+}
+
+void Character::go_to(double time) {
+    follow(time);
+    before_ = now_;
 }
 
 /// Binds skin targets, if the garment has leashes or backstops. `own`: a file's weights, or null.
@@ -181,15 +186,15 @@ void Character::follow(double time) {
     angles_ = performance_.at(time);
     angles_.root = turn_ * angles_.root + place_;
     angles_.rotations[0] = turn_ * angles_.rotations[0];
-    place_joints(performance_.skeleton(), angles_, pose_);
+    place_joints(performance_.skeleton(), angles_, now_.pose);
     const float growth = growth_at(time, fitting_);
-    body_.place(pose_, fit_.girth * growth, capsules_);
-    binding_.place(pose_, targets_);
+    body_.place(now_.pose, fit_.girth * growth, now_.capsules);
+    binding_.place(now_.pose, targets_);
     if (settings_.surface == BodySurface::capsules)
-        for (Vec3& target : targets_) target = outside(capsules_, target);
-    limits_.place(pose_, limit_places_);
-    limits_.turn(limits_bound_, pose_, normals_, limit_normals_);
-    if (skin_places_) skin_.place(pose_, capsules_, growth, *skin_places_);
+        for (Vec3& target : targets_) target = outside(now_.capsules, target);
+    limits_.place(now_.pose, limit_places_);
+    limits_.turn(limits_bound_, now_.pose, normals_, limit_normals_);
+    if (skin_places_) skin_.place(now_.pose, now_.capsules, growth, *skin_places_);
     if (growth == 1) return;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
         const Vector3 start = to_vector(garment_.mesh.positions[garment_.fixed[i]]);
@@ -208,7 +213,7 @@ Result<void> Character::add_body(World& world) {
         colliders_.push_back(*collider);
         return {};
     }
-    for (const TaperedCapsule& capsule : capsules_) {
+    for (const TaperedCapsule& capsule : now_.capsules) {
         const auto collider = world.add_collider({.shape = capsule});
         if (!collider) return collider.error();
         colliders_.push_back(*collider);
@@ -233,12 +238,13 @@ Result<void> Character::enter(World& world) {
 }
 
 void Character::before_step(World& world, double time, float dt) {
+    std::swap(now_, before_);
     follow(time + static_cast<double>(dt));
     if (skin_places_) {
         (void)world.deform_shape(skin_shape_, *skin_places_);
     } else {
-        for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
-            (void)world.move_collider(colliders_[limb], {.shape = capsules_[limb]});
+        for (std::size_t limb = 0; limb < now_.capsules.size(); ++limb)
+            (void)world.move_collider(colliders_[limb], {.shape = now_.capsules[limb]});
     }
     (void)world.move_pins(cloth_, garment_.fixed, targets_);
     if (limits_.size() > 0) (void)world.set_skin(cloth_, limit_places_, limit_normals_);
@@ -250,15 +256,15 @@ Result<void> Character::teleport(World& world, const Transform& by) {
         Quaternion(by.rotation.w, by.rotation.x, by.rotation.y, by.rotation.z).normalized();
     turn_ = (turn * turn_).normalized();
     place_ = turn * place_ + to_vector(by.translation);
-    follow(followed_);
+    go_to(followed_);
     if (skin_places_) {  // deforming the shape would drag cloth on its way
         if (auto removed = world.remove_collider(colliders_.front()); !removed) return removed;
         if (auto removed = world.remove_shape(skin_shape_); !removed) return removed;
         colliders_.clear();
         return add_body(world);
     }
-    for (std::size_t limb = 0; limb < capsules_.size(); ++limb)
-        if (auto placed = world.place_collider(colliders_[limb], {.shape = capsules_[limb]}); !placed)
+    for (std::size_t limb = 0; limb < now_.capsules.size(); ++limb)
+        if (auto placed = world.place_collider(colliders_[limb], {.shape = now_.capsules[limb]}); !placed)
             return placed;
     return {};
 }

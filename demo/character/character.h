@@ -45,6 +45,9 @@ class Character {
     /// step from `time` to `time + dt` [s].
     void before_step(World& world, double time, float dt);
 
+    /// Places the body as at that time [s], without the World's colliders and pins.
+    void go_to(double time);
+
     /// Transforms body and garment at once, about the World's origin. The garment keeps its shape and motion
     /// relative to the body. Error: the World's. If the cloth cannot be moved, nothing is.
     [[nodiscard]] Result<void> teleport(World& world, const Transform& by);
@@ -56,8 +59,16 @@ class Character {
     [[nodiscard]] ClothId cloth() const { return cloth_; }
     [[nodiscard]] const Garment& garment() const { return garment_; }
     [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }
-    /// The limbs at the end of the step that before_step() prepared.
-    [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return capsules_; }
+    /// The body at one moment.
+    struct PlacedBody {
+        Pose pose;
+        std::vector<TaperedCapsule> capsules;
+    };
+    /// The body at the end of the step that before_step() prepared, and at its start.
+    [[nodiscard]] const PlacedBody& body_now() const { return now_; }
+    [[nodiscard]] const PlacedBody& body_before() const { return before_; }
+    /// The limbs at the end of that step.
+    [[nodiscard]] const std::vector<TaperedCapsule>& capsules() const { return now_.capsules; }
     /// The skin's vertices at the same time [m]; null without a skin. Later steps overwrite this memory.
     [[nodiscard]] const std::shared_ptr<std::vector<Vec3>>& skin_places() const { return skin_places_; }
     [[nodiscard]] const Skin& skin() const { return skin_; }
@@ -66,7 +77,7 @@ class Character {
     [[nodiscard]] const Skeleton& skeleton() const { return performance_.skeleton(); }
     [[nodiscard]] const Fit& fitted() const { return fit_; }
     [[nodiscard]] const Body& body() const { return body_; }
-    [[nodiscard]] const Pose& pose() const { return pose_; }
+    [[nodiscard]] const Pose& pose() const { return now_.pose; }
     [[nodiscard]] double dressed_after() const { return fitting_; }  ///< end of the fitting [s]
 
   private:
@@ -88,9 +99,8 @@ class Character {
     Quaternion turn_ = Quaternion::Identity();  // from the motion's axes to the World's
     Vector3 place_;                             // the motion's origin in the World [m]
     Binding binding_;
-    Pose pose_;
+    PlacedBody now_, before_;
     JointAngles angles_;
-    std::vector<TaperedCapsule> capsules_;
     std::vector<Vec3> targets_;
     Skin skin_;
     std::shared_ptr<std::vector<Vec3>> skin_places_;

@@ -5,8 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "demo/scenes/solids.h"
-
 namespace weft::demo {
 
 namespace {
@@ -38,13 +36,14 @@ Result<Picture> Picture::create() {
 
 void Picture::show(const Simulation& simulation) {
     for (const render::ClothHandle cloth : cloths_) renderer_.remove_cloth(cloth);
-    for (const render::ClothHandle solid : solids_) renderer_.remove_cloth(solid);
+    for (DrawnSolid& solid : solids_) solid.remove(renderer_);
     cloths_.clear();
     solids_.clear();
     fine_.clear();
     shown_rounded_ = rounds();
     for (const SceneCloth& cloth : simulation.content().cloths) show_cloth(cloth, simulation.world());
-    for (const SceneSolid& solid : simulation.content().solids) show_solid(solid);
+    for (const SceneSolid& solid : simulation.content().solids)
+        solids_.emplace_back(solid, Vec3{}, renderer_);
     cuts_ = simulation.cuts();
     update(simulation);
 }
@@ -75,33 +74,6 @@ void Picture::show_cloth(const SceneCloth& cloth, const World& world) {
     fine_.push_back(std::move(fine));
 }
 
-void Picture::show_solid(const SceneSolid& solid) {
-    std::vector<std::uint32_t> each(solid.mesh.positions.size());
-    std::iota(each.begin(), each.end(), 0u);
-    const render::ClothHandle drawn = renderer_.add_cloth({.triangles = solid.mesh.triangles,
-                                                           .vertex_to_particle = each,
-                                                           .texcoords = {},
-                                                           .look = {.front = solid.colour,
-                                                                    .back = solid.colour,
-                                                                    .roughness = 0.6f,
-                                                                    .sheen = 0,
-                                                                    .thread_width = 0,
-                                                                    .translucency = 0}});
-    solids_.push_back(drawn);
-    update_solid(solid, drawn);
-}
-
-void Picture::update_solid(const SceneSolid& solid, render::ClothHandle drawn) {
-    Mesh mesh{.positions = solid.mesh.positions, .triangles = solid.mesh.triangles};
-    if (solid.place) solid.place(mesh.positions);
-    std::vector<Vec4> positions;
-    for (const Vec3& p : mesh.positions) positions.push_back({p.x, p.y, p.z, 0});
-    renderer_.update_cloth(drawn, {.positions = positions,
-                                   .previous_positions = positions,
-                                   .normals = vertex_normals(mesh),
-                                   .colours = solid.tints});
-}
-
 void Picture::set_look(const QualityLevel& level, const Inside& inside) {
     quality_ = level.quality;
     rounded_ = level.rounded;
@@ -112,7 +84,7 @@ void Picture::update(const Simulation& simulation) {
     if (cuts_ != simulation.cuts() || rounds() != shown_rounded_) return show(simulation);  // show() updates
     const std::vector<SceneSolid>& solids = simulation.content().solids;
     for (std::size_t i = 0; i < solids_.size(); ++i)
-        if (solids[i].place) update_solid(solids[i], solids_[i]);
+        solids_[i].update(solids[i], simulation.world().report().step, renderer_);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         const SceneCloth& drawn = simulation.content().cloths[i];
         const auto cloth = simulation.world().cloth(drawn.id);

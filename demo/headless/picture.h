@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "demo/look/beside.h"
+#include "demo/look/drawn_solid.h"
 #include "demo/look/inside.h"
 #include "demo/look/quality_choice.h"
 #include "demo/look/rounded_mesh.h"
@@ -53,15 +54,13 @@ class Picture {
     void show_cloth(const SceneCloth& cloth, const World& world);
     void add_colliders_beside();
     void update_rounded(const ClothView& view, std::size_t index, bool lies_on_itself);
-    void show_solid(const SceneSolid& solid);
-    void update_solid(const SceneSolid& solid, render::ClothHandle drawn);
     void update_fine(const SceneCloth& cloth, const ClothView& view, std::size_t index);
 
     render::SceneRenderer renderer_;
     std::uint32_t cuts_ = 0;                   // number of cuts that are shown
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
-    std::vector<render::ClothHandle> solids_;
-    std::vector<Fine> fine_;  // as cloths_; empty where the cloth's own mesh is drawn
+    std::vector<DrawnSolid> solids_;           // in the order of SceneContent::solids
+    std::vector<Fine> fine_;                   // as cloths_; empty where the cloth's own mesh is drawn
     Inside inside_;
     const Simulation* other_ = nullptr;
     Beside beside_;

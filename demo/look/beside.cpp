@@ -25,6 +25,7 @@ void Beside::begin(const Simulation& other, const Simulation& first, render::Sce
                                               .texcoords = texcoords,
                                               .look = cloth.look}));
     }
+    for (const SceneSolid& solid : other.content().solids) solids_.emplace_back(solid, offset_, renderer);
 }
 
 std::span<const Vec4> Beside::moved(std::span<const Vec4> positions, std::vector<Vec4>& to) const {
@@ -36,7 +37,9 @@ std::span<const Vec4> Beside::moved(std::span<const Vec4> positions, std::vector
 void Beside::show(const Simulation* other, const Simulation& first, render::SceneRenderer& renderer) {
     if (other == nullptr) {
         for (const render::ClothHandle cloth : cloths_) renderer.remove_cloth(cloth);
+        for (DrawnSolid& solid : solids_) solid.remove(renderer);
         cloths_.clear();
+        solids_.clear();
         return;
     }
     if (cloths_.empty()) begin(*other, first, renderer);
@@ -50,6 +53,8 @@ void Beside::show(const Simulation* other, const Simulation& first, render::Scen
                                            .normals = view->normals,
                                            .colours = colours_});
     }
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+        solids_[i].update(other->content().solids[i], other->world().report().step, renderer);
 }
 
 }  // namespace weft::demo

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "demo/look/drawn_solid.h"
 #include "demo/scene_simulation.h"
 #include "weft/render/scene_renderer.h"
 
@@ -21,6 +22,7 @@ class Beside {
     [[nodiscard]] std::span<const Vec4> moved(std::span<const Vec4> positions, std::vector<Vec4>& to) const;
 
     std::vector<render::ClothHandle> cloths_;
+    std::vector<DrawnSolid> solids_;
     Vec3 offset_;
     std::vector<Vec4> positions_, previous_, colours_;
 };

@@ -82,7 +82,7 @@ class Walkers final : public Scene {
         content.notes = walkers_.front().garment().notes;
         const float size = 0.5f * crowd_spacing * static_cast<float>(rows_ + columns_ - 2);
         content.camera = {.target = {0, 0.85f, 0},
-                          .distance = 3.0f + 1.6f * size,
+                          .distance = 3.0f + 1.25f * size,
                           .yaw = 0.6f,
                           .pitch = is_crowd() ? 0.3f : 0.08f};
         return content;
@@ -90,6 +90,10 @@ class Walkers final : public Scene {
 
     void before_step(World& world, double time, float dt) override {
         for (Character& character : walkers_) character.before_step(world, time, dt);
+    }
+
+    void go_to(double time) override {
+        for (Character& character : walkers_) character.go_to(time);
     }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
@@ -118,7 +122,7 @@ class Walkers final : public Scene {
     [[nodiscard]] static SceneSolid skin_of(const Character& character) {
         return {{.positions = *character.skin_places(), .triangles = character.skin().triangles()},
                 {0.75f, 0.72f, 0.68f},
-                [places = character.skin_places()](std::span<Vec3> to) {
+                [places = character.skin_places()](std::span<Vec3> to, SolidMoment) {
                     std::ranges::copy(*places, to.begin());
                 }};
     }
@@ -133,9 +137,11 @@ class Walkers final : public Scene {
         const Complexion& own = complexions[number % complexions.size()];
         SceneSolid solid{{.positions = std::vector<Vec3>(figure.size()), .triangles = figure.triangles()},
                          own.skin,
-                         [this, number](std::span<Vec3> to) {
+                         [this, number](std::span<Vec3> to, SolidMoment moment) {
                              const Character& who = walkers_[number];
-                             figure_->place(who.pose(), who.capsules(), to);
+                             const auto& [pose, capsules] =
+                                 moment == SolidMoment::now ? who.body_now() : who.body_before();
+                             figure_->place(pose, capsules, to);
                          }};
         for (const Figure::Wear& wear : figure.wear()) {
             const Vec3& c = wear.hair > 0 ? own.hair : own.shoe;

@@ -102,10 +102,11 @@ class Curtain final : public Scene {
              {.front = {0.10f, 0.22f, 0.42f}, .back = {0.12f, 0.24f, 0.42f}, .stripe_width = 0.13f}});
         content.drawn_colliders = {*rod};
         place_rings(0);
-        content.solids.push_back(
-            {.mesh = {.positions = *rings_, .triangles = ring_triangles(spans + 1)},
-             .colour = {0.55f, 0.42f, 0.18f},
-             .place = [rings = rings_](std::span<Vec3> to) { std::ranges::copy(*rings, to.begin()); }});
+        content.solids.push_back({.mesh = {.positions = *rings_, .triangles = ring_triangles(spans + 1)},
+                                  .colour = {0.55f, 0.42f, 0.18f},
+                                  .place = [rings = rings_](std::span<Vec3> to, SolidMoment) {
+                                      std::ranges::copy(*rings, to.begin());
+                                  }});
         content.camera = {.target = {0, 1.22f, 0}, .distance = 3.9f, .yaw = 0.35f, .pitch = 0.08f};
         return content;
     }

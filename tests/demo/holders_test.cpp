@@ -31,7 +31,7 @@ float distance_to_solids(const Simulation& simulation, const Annotation& drawn, 
     }
     for (const SceneSolid& solid : simulation.content().solids) {
         std::vector<Vec3> corners = solid.mesh.positions;
-        if (solid.place) solid.place(corners);
+        if (solid.place) solid.place(corners, SolidMoment::now);
         for (const Vec3& corner : corners) least = std::min(least, (p - to_vector(corner)).norm());
     }
     return least;
