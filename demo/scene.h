@@ -41,6 +41,9 @@ struct SceneCloth {
     std::vector<Vec4> tints{};  ///< by vertex, as render::ClothFrame::colours; empty: the look's alone
 };
 
+/// The colour of drawn colliders: slate, neither the ground's nor any cloth's.
+inline constexpr Vec3 collider_colour{0.30f, 0.36f, 0.46f};
+
 /// A look whose back is paler than its front.
 [[nodiscard]] render::FabricLook two_sided(const Vec3& front, float stripe_width = 0);
 

@@ -19,7 +19,8 @@ render::DrawnBox drawn(const Box& box) {
     return {.center = box.center,
             .x = to_face(0, box.half_extents.x),
             .y = to_face(1, box.half_extents.y),
-            .z = to_face(2, box.half_extents.z)};
+            .z = to_face(2, box.half_extents.z),
+            .color = collider_colour};
 }
 
 constexpr std::size_t most_rounded = 50'000;  // particles; more are fine enough by themselves
@@ -139,11 +140,12 @@ void Picture::add_collider(const World& world, ColliderId id) {
     const auto collider = world.collider(id);
     if (!collider) return;
     if (const auto* sphere = std::get_if<Sphere>(&collider->shape)) {
-        spheres_.push_back({sphere->center, sphere->radius});
+        spheres_.push_back({sphere->center, sphere->radius, collider_colour});
     } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
-        capsules_.push_back({capsule->a, capsule->b, capsule->radius});
+        capsules_.push_back({capsule->a, capsule->b, capsule->radius, collider_colour});
     } else if (const auto* tapered = std::get_if<TaperedCapsule>(&collider->shape)) {
-        tapered_capsules_.push_back({tapered->a, tapered->b, tapered->radius_a, tapered->radius_b});
+        tapered_capsules_.push_back(
+            {tapered->a, tapered->b, tapered->radius_a, tapered->radius_b, collider_colour});
     } else if (const auto* box = std::get_if<Box>(&collider->shape)) {
         boxes_.push_back(drawn(*box));
     }

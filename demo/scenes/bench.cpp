@@ -74,10 +74,8 @@ class Bench final : public Scene {
         if (auto held = hold(world); !held) return held.error();
 
         SceneContent content;
-        content.cloths.push_back(
-            {strip_, strip_mesh_, {.front = {0.12f, 0.30f, 0.55f}, .back = {0.12f, 0.30f, 0.5f}}});
-        content.cloths.push_back(
-            {disc_, disc_mesh_, {.front = {0.55f, 0.10f, 0.12f}, .back = {0.5f, 0.10f, 0.12f}}});
+        content.cloths.push_back({strip_, strip_mesh_, two_sided({0.12f, 0.30f, 0.55f})});
+        content.cloths.push_back({disc_, disc_mesh_, two_sided({0.55f, 0.10f, 0.12f})});
         constexpr Vec3 wood{0.45f, 0.40f, 0.34f};
         content.solids.push_back(
             {round_block(table_radius - 0.001f, {drape_middle.x, drape_middle.y - 0.003f, drape_middle.z}),

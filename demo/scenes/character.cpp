@@ -8,6 +8,7 @@
 #include "demo/character/body/body_figure.h"
 #include "demo/character/garment/wear.h"
 #include "demo/scene.h"
+#include "demo/scenes/dolls.h"
 #include "demo/scenes/measures.h"
 #include "demo/study/crossings/crossings.h"
 
@@ -24,17 +25,6 @@ constexpr std::array<Vec3, 4> crowd_colours{
     {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
 
 constexpr float figure_cell = 0.026f, crowd_cell = 0.038f;  // of figures' meshes [m]
-
-/// Colours of a figure.
-struct Complexion {
-    Vec3 skin, hair, shoe;
-};
-constexpr std::array<Complexion, 5> complexions{
-    {{{0.58f, 0.34f, 0.23f}, {0.05f, 0.025f, 0.015f}, {0.05f, 0.05f, 0.06f}},
-     {{0.66f, 0.42f, 0.30f}, {0.22f, 0.11f, 0.04f}, {0.20f, 0.05f, 0.04f}},
-     {{0.26f, 0.13f, 0.075f}, {0.015f, 0.012f, 0.012f}, {0.30f, 0.26f, 0.20f}},
-     {{0.42f, 0.23f, 0.14f}, {0.03f, 0.018f, 0.012f}, {0.04f, 0.05f, 0.12f}},
-     {{0.68f, 0.45f, 0.34f}, {0.42f, 0.26f, 0.10f}, {0.05f, 0.05f, 0.06f}}}};
 
 /// Binds the garment's finer mesh, if there is one, to be drawn in place of its cloth.
 Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {
@@ -73,7 +63,7 @@ class Walkers final : public Scene {
             if (auto entered = character.enter(world); !entered) return entered.error();
             const Vec3 colour = number == 0 ? character.garment().colour : crowd_colours[number % 4];
             SceneCloth& cloth = content.cloths.emplace_back(
-                SceneCloth{character.cloth(), character.garment().mesh, {.front = colour}});
+                SceneCloth{character.cloth(), character.garment().mesh, two_sided(colour)});
             if (auto bound = bind_fine(world, character.garment(), cloth); !bound) return bound.error();
             content.clad_colliders.insert(content.clad_colliders.end(), character.colliders().begin(),
                                           character.colliders().end());
@@ -121,7 +111,7 @@ class Walkers final : public Scene {
     /// The triangles that cloth meets.
     [[nodiscard]] static SceneSolid skin_of(const Character& character) {
         return {{.positions = *character.skin_places(), .triangles = character.skin().triangles()},
-                {0.75f, 0.72f, 0.68f},
+                complexions[0].skin,
                 [places = character.skin_places()](std::span<Vec3> to, SolidMoment) {
                     std::ranges::copy(*places, to.begin());
                 }};
@@ -133,21 +123,13 @@ class Walkers final : public Scene {
         if (!figure_)
             figure_ = std::make_shared<const BodyFigure>(character.body(), character.skeleton(),
                                                          is_crowd() ? crowd_cell : figure_cell);
-        const Figure& figure = figure_->figure();
-        const Complexion& own = complexions[number % complexions.size()];
-        SceneSolid solid{{.positions = std::vector<Vec3>(figure.size()), .triangles = figure.triangles()},
-                         own.skin,
-                         [this, number](std::span<Vec3> to, SolidMoment moment) {
-                             const Character& who = walkers_[number];
-                             const auto& [pose, capsules] =
-                                 moment == SolidMoment::now ? who.body_now() : who.body_before();
-                             figure_->place(pose, capsules, to);
-                         }};
-        for (const Figure::Wear& wear : figure.wear()) {
-            const Vec3& c = wear.hair > 0 ? own.hair : own.shoe;
-            solid.tints.push_back({c.x, c.y, c.z, std::max(wear.hair, wear.shoe)});
-        }
-        return solid;
+        return figure_solid(figure_->figure(), number,
+                            [this, number](std::span<Vec3> to, SolidMoment moment) {
+                                const Character& who = walkers_[number];
+                                const auto& [pose, capsules] =
+                                    moment == SolidMoment::now ? who.body_now() : who.body_before();
+                                figure_->place(pose, capsules, to);
+                            });
     }
 
     [[nodiscard]] bool is_crowd() const { return rows_ * columns_ > 1; }

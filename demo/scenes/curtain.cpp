@@ -96,10 +96,7 @@ class Curtain final : public Scene {
         if (!rod) return rod.error();
 
         SceneContent content;
-        content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.10f, 0.22f, 0.42f}, .back = {0.12f, 0.24f, 0.42f}, .stripe_width = 0.13f}});
+        content.cloths.push_back({cloth_, mesh_, two_sided({0.10f, 0.22f, 0.42f}, 0.13f)});
         content.drawn_colliders = {*rod};
         place_rings(0);
         content.solids.push_back({.mesh = {.positions = *rings_, .triangles = ring_triangles(spans + 1)},

@@ -67,7 +67,7 @@ class Shapes final : public Scene {
             const std::uint32_t each = options.particles / static_cast<std::uint32_t>(stands_.size());
             if (auto built = build_stand(world, k, each, content); !built) return built.error();
         }
-        content.camera = {.target = {0, 0.12f, 0.1f}, .distance = 4.9f, .yaw = 0.08f, .pitch = 0.6f};
+        content.camera = {.target = {0, 0.12f, 0.1f}, .distance = 5.5f, .yaw = 0.08f, .pitch = 0.6f};
         return content;
     }
 
@@ -185,7 +185,7 @@ Result<void> Shapes::build_stand(World& world, std::uint32_t k, std::uint32_t pa
     content.drawn_colliders.push_back(*added);
     for (Vec3& p : stand.drawn.positions)
         p = {p.x + at.x + stand.middle.x, p.y + at.y + stand.middle.y, p.z + at.z + stand.middle.z};
-    if (!stand.drawn.positions.empty()) content.solids.push_back({stand.drawn, {0.30f, 0.36f, 0.46f}});
+    if (!stand.drawn.positions.empty()) content.solids.push_back({stand.drawn, collider_colour});
 
     // Each sheet is turned by another angle, so that their folds differ.
     const float angle = 0.3f + 0.35f * static_cast<float>(k);

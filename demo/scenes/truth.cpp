@@ -7,14 +7,18 @@
 #include <cstdio>
 #include <numbers>
 
+#include "demo/character/body/figure.h"
 #include "demo/scene.h"
+#include "demo/scenes/dolls.h"
 #include "demo/scenes/measures.h"
+#include "engine/least_turn.h"
 
 namespace weft::demo {
 namespace {
 
-constexpr std::array<int, 2> substeps{1, 8};  // of the cloth to the left and to the right
-constexpr std::array<Vec3, 2> colours{{{0.55f, 0.06f, 0.07f}, {0.62f, 0.60f, 0.55f}}};
+constexpr float figure_cell_of_legs = 0.026f;  // [m]
+constexpr std::array<int, 2> substeps{1, 8};   // of the cloth to the left and to the right
+constexpr std::array<Vec3, 2> colours{{{0.55f, 0.06f, 0.07f}, {0.06f, 0.20f, 0.45f}}};
 
 /// Two cloths in one wind, one for each of `substeps`, labelled with their speeds.
 class Pair : public Scene {
@@ -62,7 +66,7 @@ class Pair : public Scene {
         if (!cloth) return cloth.error();
         cloths_.push_back(*cloth);
         meshes_.push_back(mesh);
-        content.cloths.push_back({*cloth, std::move(mesh), {.front = colours[k], .back = colours[k]}});
+        content.cloths.push_back({*cloth, std::move(mesh), two_sided(colours[k])});
         return world.pin(*cloth, pins);
     }
     /// Expects cloths to be finite and stretched by at most `worst`, and the default not to be too slow.
@@ -152,23 +156,49 @@ class SkirtBesideTruth final : public Pair {
                 limbs_.push_back(*id);
             }
         }
-        content.drawn_colliders = limbs_;
+        content.clad_colliders = limbs_;
+        figure_ = std::make_shared<const Figure>(legs_at(0, 0), figure_cell_of_legs);
+        for (std::size_t k = 0; k < substeps.size(); ++k)
+            content.solids.push_back(
+                figure_solid(*figure_, 3 * k, [this, k](std::span<Vec3> to, SolidMoment moment) {
+                    figure_->place(legs_at(k, moment == SolidMoment::now ? now_ : before_), to);
+                }));
         content.camera = {.target = {0, 0.6f, 0}, .distance = 3.2f, .yaw = 0.35f, .pitch = 0.08f};
         return content;
     }
 
     void before_step(World& world, double time, float dt) override {
         Pair::before_step(world, time, dt);
+        before_ = static_cast<float>(time);
+        now_ = before_ + dt;
         for (std::size_t i = 0; i < limbs_.size(); ++i)
-            (void)world.move_collider(limbs_[i],
-                                      {.shape = limb_at(i / 3, i % 3, static_cast<float>(time) + dt)});
+            (void)world.move_collider(limbs_[i], {.shape = limb_at(i / 3, i % 3, now_)});
     }
+
+    void go_to(double time) override { now_ = before_ = static_cast<float>(time); }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
         return check_cloths(world, 1.8f).result();
     }
 
   private:
+    /// The limbs within one skirt's colliders, for the figure.
+    [[nodiscard]] static std::vector<FigureLimb> legs_at(std::size_t k, float time) {
+        std::vector<FigureLimb> limbs{doll_limb(LimbKind::trunk, limb_at(k, 0, time))};
+        for (const std::size_t leg : {1, 2}) {
+            const TaperedCapsule capsule = limb_at(k, leg, time);
+            const Vector3 foot = to_vector(capsule.b);
+            const Matrix3 axes = least_turn({0, -1, 0}, foot - to_vector(capsule.a)).toRotationMatrix();
+            // The leg's round end has room for a small shoe.
+            const float size = capsule.radius_b;
+            const auto in_foot = [&](float ahead) {
+                return to_vec3(foot + size * (axes * Vector3(0, -0.42f, ahead)));
+            };
+            add_doll_leg(capsule, {in_foot(-0.4f), in_foot(0.4f), 0.4f * size, 0.4f * size}, axes, limbs);
+        }
+        return limbs;
+    }
+
     static float middle(std::size_t k) { return (k == 0 ? -0.5f : 0.5f) * apart; }
     [[nodiscard]] Vec3 label_at(std::size_t k) const override { return {middle(k) - 0.2f, 1.2f, 0}; }
 
@@ -200,6 +230,8 @@ class SkirtBesideTruth final : public Pair {
     }
 
     std::vector<ColliderId> limbs_;
+    std::shared_ptr<const Figure> figure_;  // of both skirts' legs
+    float now_ = 0, before_ = 0;            // times at which the figures are drawn [s]
 };
 
 }  // namespace

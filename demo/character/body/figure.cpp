@@ -115,6 +115,11 @@ bool is_inside(std::span<const RoundCone> cones, std::span<const std::uint8_t> l
     return std::ranges::any_of(limbs, [&](std::uint8_t limb) { return cones[limb].contains(point); });
 }
 
+bool is_in_suit(LimbKind kind) {
+    return kind == LimbKind::trunk || kind == LimbKind::shoulder || kind == LimbKind::arm ||
+           kind == LimbKind::thigh || kind == LimbKind::shin;
+}
+
 float share_of_hair(const FigureLimb& head, const Vector3& point) {
     const Vector3 from_skull = head.axes_a.transpose() * (point - head.b) / head.radius_b;
     return std::clamp(0.5f + 6 * (0.8f * from_skull.y() - 0.6f * from_skull.z() + 0.2f), 0.0f, 1.0f);
@@ -142,6 +147,7 @@ Figure::Figure(std::vector<FigureLimb> stance, float cell) {
             if (limb.kind == LimbKind::head)
                 wear.hair = share_of_hair(limb, to_vector(mesh.positions[v])) * (weight > 0.3f ? 1.0f : 0.0f);
             if (limb.kind == LimbKind::foot || limb.kind == LimbKind::sole) wear.shoe += weight;
+            if (is_in_suit(limb.kind)) wear.suit += weight;
         }
     }
 }

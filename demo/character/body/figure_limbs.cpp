@@ -57,7 +57,7 @@ void FigureRig::place(const Pose& pose, std::span<const TaperedCapsule> capsules
         }
         to.push_back({kind, a, b, capsules[limb].radius_a, capsules[limb].radius_b,
                       own[limb].toRotationMatrix(), at_b.toRotationMatrix(),
-                      kind == LimbKind::hand ? Vector3(1, 0.64f, 1) : Vector3::Ones()});
+                      kind == LimbKind::hand ? flat_hand : Vector3(Vector3::Ones())});
     }
 }
 

@@ -21,6 +21,9 @@ struct FigureLimb {
     [[nodiscard]] float radius(float along) const { return radius_a + along * (radius_b - radius_a); }
 };
 
+/// FigureLimb::scale of hands, whose palms face down at rest.
+inline const Vector3 flat_hand(1, 0.64f, 1);
+
 /// Finds the limbs of a body. Arms and legs are round, so that their axes need no twist: they follow their
 /// bones by the least turn, as skinning without artefacts of twist does (Kavan, Sorkine, "Elasticity-inspired
 /// deformers", 2012). Forearms and shins share out the twist of hands and feet over their lengths.

@@ -6,6 +6,7 @@
 
 #include "collision/colliders/nearest_surface.h"
 #include "demo/scene.h"
+#include "demo/scenes/dolls.h"
 #include "demo/scenes/measures.h"
 
 namespace weft::demo {
@@ -24,15 +25,39 @@ constexpr std::array<Vec3, 5> cape_colours{{{0.5f, 0.03f, 0.05f},
                                             {0.25f, 0.06f, 0.3f}}};
 
 /// The wearer's limbs about the World's origin, facing +Z.
-const std::array<Collider, 7>& figure() {
-    static const std::array<Collider, 7> limbs{
+const std::array<Collider, 10>& body() {
+    static const std::array<Collider, 10> limbs{
         {{.shape = TaperedCapsule{{0, 0.98f, 0}, {0, 1.32f, 0}, 0.13f, 0.15f}},
          {.shape = Sphere{{0, 1.62f, 0.02f}, 0.11f}},
          {.shape = Capsule{{-0.09f, 0.08f, 0}, {-0.09f, 0.9f, 0}, 0.075f}},
          {.shape = Capsule{{0.09f, 0.08f, 0}, {0.09f, 0.9f, 0}, 0.075f}},
          {.shape = Capsule{{-0.14f, 1.36f, 0}, {0.14f, 1.36f, 0}, 0.07f}},
          {.shape = Capsule{{-0.2f, 1.34f, 0}, {-0.27f, 0.86f, 0.1f}, 0.05f}},
-         {.shape = Capsule{{0.2f, 1.34f, 0}, {0.27f, 0.86f, 0.1f}, 0.05f}}}};
+         {.shape = Capsule{{0.2f, 1.34f, 0}, {0.27f, 0.86f, 0.1f}, 0.05f}},
+         {.shape = Capsule{{0, 1.38f, 0}, {0, 1.58f, 0.01f}, 0.055f}},
+         {.shape = Capsule{{-0.09f, 0.045f, -0.035f}, {-0.09f, 0.04f, 0.13f}, 0.04f}},
+         {.shape = Capsule{{0.09f, 0.045f, -0.035f}, {0.09f, 0.04f, 0.13f}, 0.04f}}}};
+    return limbs;
+}
+
+/// The figure's limbs, within those of the body.
+std::vector<FigureLimb> figure_limbs() {
+    std::vector<FigureLimb> limbs;
+    FigureLimb trunk = doll_limb(LimbKind::trunk, std::get<TaperedCapsule>(body()[0].shape));
+    trunk.scale = {1, 1, 0.75f};
+    limbs.push_back(trunk);
+    const auto capsule = [](std::size_t limb) {
+        const auto& [a, b, radius] = std::get<Capsule>(body()[limb].shape);
+        return TaperedCapsule{a, b, radius, radius};
+    };
+    limbs.push_back(doll_limb(LimbKind::shoulder, capsule(4)));
+    limbs.push_back(doll_limb(LimbKind::neck, capsule(7)));
+    limbs.push_back(doll_limb(LimbKind::head, {{0, 1.588f, 0.02f}, {0, 1.633f, 0.02f}, 0.078f, 0.097f}));
+    for (const std::size_t left : {0, 1}) {
+        const TaperedCapsule leg = capsule(2 + left), from_hip{leg.b, leg.a, leg.radius_b, leg.radius_a};
+        add_doll_leg(from_hip, capsule(8 + left), Matrix3::Identity(), limbs);
+        add_doll_arm(capsule(5 + left), left == 1 ? 1.0f : -1.0f, limbs);
+    }
     return limbs;
 }
 
@@ -42,6 +67,13 @@ struct Stance {
     float sin, cos;
     [[nodiscard]] Vec3 of(const Vec3& p) const {
         return {place.x + cos * p.x + sin * p.z, place.y + p.y, place.z - sin * p.x + cos * p.z};
+    }
+    [[nodiscard]] FigureLimb of(FigureLimb limb) const {
+        for (Vector3* end : {&limb.a, &limb.b}) *end = to_vector(of(to_vec3(*end)));
+        const Matrix3 turn{{cos, 0, sin}, {0, 1, 0}, {-sin, 0, cos}};
+        limb.axes_a = turn * limb.axes_a;
+        limb.axes_b = turn * limb.axes_b;
+        return limb;
     }
     [[nodiscard]] Collider of(Collider limb) const {
         if (auto* sphere = std::get_if<Sphere>(&limb.shape)) sphere->center = of(sphere->center);
@@ -86,11 +118,26 @@ class Capes final : public Scene {
         SceneContent content;
         for (std::size_t who = 0; who < people; ++who)
             if (auto dressed = dress(world, grid, who, content); !dressed) return dressed.error();
+        figure_ = std::make_shared<const Figure>(figure_limbs(), 0.028f);
+        for (std::size_t who = 0; who < people; ++who)
+            content.solids.push_back(figure_solid(
+                *figure_, who,
+                [this, who](std::span<Vec3> to, SolidMoment moment) {
+                    const Stance stance = stance_of(who, moment == SolidMoment::now ? now_ : before_);
+                    std::vector<FigureLimb> limbs;
+                    for (const FigureLimb& limb : figure_limbs()) limbs.push_back(stance.of(limb));
+                    figure_->place(limbs, to);
+                },
+                Vec3{0.07f, 0.08f, 0.10f}));
         content.camera = {.target = {0, 0.9f, -0.2f}, .distance = 5.4f, .yaw = 2.6f, .pitch = 0.14f};
         return content;
     }
 
+    void go_to(double time) override { now_ = before_ = time; }
+
     void before_step(World& world, double time, float dt) override {
+        before_ = time;
+        now_ = time + static_cast<double>(dt);
         for (std::size_t who = 0; who < wearers_.size(); ++who) {
             const Stance stance = stance_of(who, time + static_cast<double>(dt));
             Wearer& wearer = wearers_[who];
@@ -99,7 +146,7 @@ class Capes final : public Scene {
                 ++wearer.steps;
             }
             for (std::size_t limb = 0; limb < wearer.limbs.size(); ++limb)
-                (void)world.move_collider(wearer.limbs[limb], stance.of(figure()[limb]));
+                (void)world.move_collider(wearer.limbs[limb], stance.of(body()[limb]));
             for (std::uint32_t column = 0; column < columns_; ++column)
                 (void)world.move_pin(wearer.cape, column, stance.of(held_at(part_of(column))));
         }
@@ -175,11 +222,11 @@ class Capes final : public Scene {
         for (std::uint32_t column = 0; column < grid.columns; ++column) top[column] = column;
         if (auto pinned = world.pin(*cape, top); !pinned) return pinned;
         Wearer wearer{*cape, *mesh, {}};
-        for (const Collider& limb : figure()) {
+        for (const Collider& limb : body()) {
             const auto added = world.add_collider(stance.of(limb));
             if (!added) return added.error();
             wearer.limbs.push_back(*added);
-            content.drawn_colliders.push_back(*added);
+            content.clad_colliders.push_back(*added);
         }
         content.cloths.push_back({*cape, *mesh, {.front = {0.2f, 0.17f, 0.15f}, .back = cape_colours[who]}});
         wearers_.push_back(std::move(wearer));
@@ -187,6 +234,8 @@ class Capes final : public Scene {
     }
 
     std::uint32_t columns_ = 0;
+    std::shared_ptr<const Figure> figure_;  // of all people
+    double now_ = 0, before_ = 0;           // times at which it is drawn [s]
     std::vector<Wearer> wearers_;
 };
 

@@ -98,8 +98,8 @@ class Flags final : public Scene {
         for (std::uint32_t row = 0; row < mesh_.rows; ++row) hoist.push_back(row * mesh_.columns);
         if (auto pinned = world.pin(*cloth, hoist); !pinned) return pinned;
         const Vec3 colour = flag_colours[number % flag_colours.size()];
-        content.cloths.push_back({*cloth, mesh_, {.front = colour, .back = colour, .stripe_width = 0.12f}});
-        content.solids.push_back({make_mast({foot.x - 0.02f, 0, foot.z}), {0.75f, 0.72f, 0.68f}});
+        content.cloths.push_back({*cloth, mesh_, two_sided(colour, 0.12f)});
+        content.solids.push_back({make_mast({foot.x - 0.02f, 0, foot.z}), collider_colour});
         return {};
     }
 
