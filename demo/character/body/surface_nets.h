@@ -27,7 +27,8 @@ class CornerGrid {
 
     /// The surface, counter-clockwise seen from where values are positive: a vertex in each cell that it
     /// passes, in the mean of where it passes the cell's edges (Gibson, "Constrained elastic surface nets",
-    /// 1998). It is closed if no cell holds two pieces of it and values on the grid's border are positive.
+    /// 1998). It is closed if values on the grid's border are positive: each edge has as many triangles on
+    /// one side as on the other, mostly one.
     [[nodiscard]] Mesh surface() const;
 
   private:
