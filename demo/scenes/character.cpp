@@ -67,7 +67,8 @@ class Walkers final : public Scene {
             if (auto bound = bind_fine(world, character.garment(), cloth); !bound) return bound.error();
             content.clad_colliders.insert(content.clad_colliders.end(), character.colliders().begin(),
                                           character.colliders().end());
-            content.solids.push_back(character.skin_places() ? skin_of(character) : figure_of(number));
+            content.solids.push_back(character.skin_places() ? skin_of(character)
+                                                             : figure_of(number, !options.garment.empty()));
         }
         content.notes = walkers_.front().garment().notes;
         const float size = 0.5f * crowd_spacing * static_cast<float>(rows_ + columns_ - 2);
@@ -118,18 +119,19 @@ class Walkers final : public Scene {
     }
 
     /// A smooth figure within the capsules that cloth meets. Walkers of one skeleton have one.
-    [[nodiscard]] SceneSolid figure_of(std::uint32_t number) {
+    /// With a garment from a file, which may be a shirt, it wears a suit.
+    [[nodiscard]] SceneSolid figure_of(std::uint32_t number, bool has_garment) {
         const Character& character = walkers_[number];
         if (!figure_)
             figure_ = std::make_shared<const BodyFigure>(character.body(), character.skeleton(),
                                                          is_crowd() ? crowd_cell : figure_cell);
-        return figure_solid(figure_->figure(), number,
-                            [this, number](std::span<Vec3> to, SolidMoment moment) {
-                                const Character& who = walkers_[number];
-                                const auto& [pose, capsules] =
-                                    moment == SolidMoment::now ? who.body_now() : who.body_before();
-                                figure_->place(pose, capsules, to);
-                            });
+        const auto place = [this, number](std::span<Vec3> to, SolidMoment moment) {
+            const Character& who = walkers_[number];
+            const auto& [pose, capsules] = moment == SolidMoment::now ? who.body_now() : who.body_before();
+            figure_->place(pose, capsules, to);
+        };
+        if (!has_garment) return figure_solid(figure_->figure(), number, place);
+        return figure_solid(figure_->figure(), number, place, Suit{.has_sleeves = false});
     }
 
     [[nodiscard]] bool is_crowd() const { return rows_ * columns_ > 1; }

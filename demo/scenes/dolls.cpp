@@ -17,15 +17,16 @@ TaperedCapsule piece_of(const TaperedCapsule& capsule, float from, float to, flo
 }  // namespace
 
 SceneSolid figure_solid(const Figure& figure, std::size_t person,
-                        std::function<void(std::span<Vec3>, SolidMoment)> place, std::optional<Vec3> suit) {
+                        std::function<void(std::span<Vec3>, SolidMoment)> place, std::optional<Suit> suit) {
     const Complexion& own = complexions[person % complexions.size()];
     SceneSolid solid{{.positions = std::vector<Vec3>(figure.size()), .triangles = figure.triangles()},
                      own.skin,
                      std::move(place)};
     for (const Figure::Wear& wear : figure.wear()) {
-        const bool in_suit = suit && wear.suit > std::max(wear.hair, wear.shoe);
-        const Vec3& c = in_suit ? *suit : wear.hair > 0 ? own.hair : own.shoe;
-        solid.tints.push_back({c.x, c.y, c.z, in_suit ? wear.suit : std::max(wear.hair, wear.shoe)});
+        const float bare = std::max(wear.hair, wear.shoe);
+        const float covered = suit ? wear.suit + (suit->has_sleeves ? wear.sleeve : 0) : 0;
+        const Vec3& c = covered > bare ? suit->colour : wear.hair > 0 ? own.hair : own.shoe;
+        solid.tints.push_back({c.x, c.y, c.z, std::max(covered, bare)});
     }
     return solid;
 }

@@ -22,11 +22,16 @@ inline constexpr std::array<Complexion, 5> complexions{
      {{0.40f, 0.22f, 0.13f}, {0.03f, 0.018f, 0.012f}, {0.04f, 0.05f, 0.12f}},
      {{0.60f, 0.39f, 0.29f}, {0.42f, 0.26f, 0.10f}, {0.05f, 0.05f, 0.06f}}}};
 
-/// A solid that shows a figure where `place` puts it, as one of the people: they differ in colour. With a
-/// suit it wears one of that colour.
+/// What a figure wears by itself.
+struct Suit {
+    bool has_sleeves = true;  ///< covers the upper arms, besides trunk and legs
+    Vec3 colour{0.07f, 0.08f, 0.10f};
+};
+
+/// A solid that shows a figure where `place` puts it, as one of the people: they differ in colour.
 [[nodiscard]] SceneSolid figure_solid(const Figure& figure, std::size_t person,
                                       std::function<void(std::span<Vec3>, SolidMoment)> place,
-                                      std::optional<Vec3> suit = {});
+                                      std::optional<Suit> suit = {});
 
 /// A limb whose axes are the same at both ends.
 [[nodiscard]] FigureLimb doll_limb(LimbKind kind, const TaperedCapsule& capsule,

@@ -1,6 +1,7 @@
 #include "demo/character/body/figure.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -116,13 +117,18 @@ bool is_inside(std::span<const RoundCone> cones, std::span<const std::uint8_t> l
 }
 
 bool is_in_suit(LimbKind kind) {
-    return kind == LimbKind::trunk || kind == LimbKind::shoulder || kind == LimbKind::arm ||
-           kind == LimbKind::thigh || kind == LimbKind::shin;
+    return kind == LimbKind::trunk || kind == LimbKind::thigh || kind == LimbKind::shin;
+}
+bool is_in_sleeve(LimbKind kind) {
+    return kind == LimbKind::shoulder || kind == LimbKind::arm;
 }
 
+/// Hair is above a plane that slants from the brow to the nape, and not on the ears.
 float share_of_hair(const FigureLimb& head, const Vector3& point) {
     const Vector3 from_skull = head.axes_a.transpose() * (point - head.b) / head.radius_b;
-    return std::clamp(0.5f + 6 * (0.8f * from_skull.y() - 0.6f * from_skull.z() + 0.2f), 0.0f, 1.0f);
+    const float above = 0.8f * from_skull.y() - 0.6f * from_skull.z() + 0.2f;
+    const float ear = std::max(std::abs(from_skull.x()) - 0.76f, 0.0f);
+    return std::clamp(0.5f + 6 * above - 20 * ear, 0.0f, 1.0f);
 }
 
 }  // namespace
@@ -148,6 +154,7 @@ Figure::Figure(std::vector<FigureLimb> stance, float cell) {
                 wear.hair = share_of_hair(limb, to_vector(mesh.positions[v])) * (weight > 0.3f ? 1.0f : 0.0f);
             if (limb.kind == LimbKind::foot || limb.kind == LimbKind::sole) wear.shoe += weight;
             if (is_in_suit(limb.kind)) wear.suit += weight;
+            if (is_in_sleeve(limb.kind)) wear.sleeve += weight;
         }
     }
 }

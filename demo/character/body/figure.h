@@ -27,9 +27,9 @@ class Figure {
     /// `to` has size() elements.
     void place(std::span<const FigureLimb> limbs, std::span<Vec3> to) const;
 
-    /// How much of a vertex is hair, shoe, or what a suit from the shoulders to the ankles covers: 0 to 1.
+    /// How much of a vertex is hair, shoe, or what a suit covers with and without sleeves: 0 to 1.
     struct Wear {
-        float hair = 0, shoe = 0, suit = 0;
+        float hair = 0, shoe = 0, suit = 0, sleeve = 0;
     };
     [[nodiscard]] std::span<const Wear> wear() const { return wear_; }
 

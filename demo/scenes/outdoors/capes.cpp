@@ -128,7 +128,7 @@ class Capes final : public Scene {
                     for (const FigureLimb& limb : figure_limbs()) limbs.push_back(stance.of(limb));
                     figure_->place(limbs, to);
                 },
-                Vec3{0.07f, 0.08f, 0.10f}));
+                Suit{}));
         content.camera = {.target = {0, 0.9f, -0.2f}, .distance = 5.4f, .yaw = 2.6f, .pitch = 0.14f};
         return content;
     }
