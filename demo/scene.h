@@ -67,6 +67,7 @@ struct SceneContent {
     std::vector<SceneSolid> solids;
     std::vector<std::string> notes{};  ///< for the user: what the scene has made of a file
     render::OrbitCamera camera;
+    float ground_height = 0;  ///< of the drawn ground [m]; below where cloth without weight may go
 };
 
 class Scene {

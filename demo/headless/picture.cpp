@@ -164,6 +164,7 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     spheres_.insert(spheres_.end(), drawing_.spheres.begin(), drawing_.spheres.end());
     capsules_.insert(capsules_.end(), drawing_.capsules.begin(), drawing_.capsules.end());
     view_.camera = camera;
+    view_.ground_height = simulation.content().ground_height;
     view_.quality = quality_;
     view_.wireframe = inside_.wireframe;
     lines_.assign(drawing_.lines.begin(), drawing_.lines.end());

@@ -67,7 +67,7 @@ class Shapes final : public Scene {
             const std::uint32_t each = options.particles / static_cast<std::uint32_t>(stands_.size());
             if (auto built = build_stand(world, k, each, content); !built) return built.error();
         }
-        content.camera = {.target = {0, 0.12f, 0.1f}, .distance = 5.5f, .yaw = 0.08f, .pitch = 0.6f};
+        content.camera = {.target = {0, 0.12f, 0.1f}, .distance = 5.1f, .yaw = 0.08f, .pitch = 0.6f};
         return content;
     }
 

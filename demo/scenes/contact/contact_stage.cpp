@@ -85,6 +85,8 @@ class ContactStage final : public Scene {
             if (!std::holds_alternative<Plane>(collider.shape)) content.drawn_colliders.push_back(*id);
         }
         content.camera = camera_at(scene_, view_);
+        const Vec3& gravity = scene_.world.gravity;
+        if (gravity.x == 0 && gravity.y == 0 && gravity.z == 0) content.ground_height = -1.5f;
         return content;
     }
 
@@ -188,7 +190,7 @@ std::unique_ptr<Scene> make_hammock_scene() {
     return stage("dropped on of cloths", {.nearer = 1.4f, .lower = -0.35f});
 }
 std::unique_ptr<Scene> make_tangled_scene() {
-    return stage("tangled hung", {.nearer = 0.55f, .lower = 0.35f});
+    return stage("tangled hung", {.nearer = 0.5f, .lower = 0.5f});
 }
 std::unique_ptr<Scene> make_crossed_scene() {
     return stage("crossed 20");
