@@ -40,6 +40,8 @@ void Picture::show(const Simulation& simulation) {
     for (DrawnSolid& solid : solids_) solid.remove(renderer_);
     cloths_.clear();
     solids_.clear();
+    motion_.forget();
+    motion_beside_.forget();
     fine_.clear();
     shown_rounded_ = rounds();
     for (const SceneCloth& cloth : simulation.content().cloths) show_cloth(cloth, simulation.world());
@@ -136,9 +138,12 @@ void Picture::update_fine(const SceneCloth& cloth, const ClothView& view, std::s
                                             .normals = fine.normals});
 }
 
-void Picture::add_collider(const World& world, ColliderId id) {
-    const auto collider = world.collider(id);
-    if (!collider) return;
+void Picture::add_collider(const World& world, ColliderId id, ColliderMotion& motion) {
+    const auto present = world.collider(id);
+    if (!present) return;
+    motion.note(id, *present, world.report().step);
+    const Collider shown = motion.at(id, view_.alpha);
+    const Collider* const collider = &shown;
     if (const auto* sphere = std::get_if<Sphere>(&collider->shape)) {
         spheres_.push_back({sphere->center, sphere->radius, collider_colour});
     } else if (const auto* capsule = std::get_if<Capsule>(&collider->shape)) {
@@ -158,8 +163,10 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     capsules_.clear();
     tapered_capsules_.clear();
     boxes_.clear();
-    for (const ColliderId id : simulation.content().drawn_colliders) add_collider(simulation.world(), id);
-    for (const ColliderId id : thrown) add_collider(simulation.world(), id);
+    view_.alpha = alpha;
+    for (const ColliderId id : simulation.content().drawn_colliders)
+        add_collider(simulation.world(), id, motion_);
+    for (const ColliderId id : thrown) add_collider(simulation.world(), id, motion_);
     if (other_ != nullptr) add_colliders_beside();
     spheres_.insert(spheres_.end(), drawing_.spheres.begin(), drawing_.spheres.end());
     capsules_.insert(capsules_.end(), drawing_.capsules.begin(), drawing_.capsules.end());
@@ -170,7 +177,6 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
     lines_.assign(drawing_.lines.begin(), drawing_.lines.end());
     lines_.insert(lines_.end(), lines.begin(), lines.end());
     view_.lines = lines_;
-    view_.alpha = alpha;
     view_.spheres = spheres_;
     view_.capsules = capsules_;
     view_.tapered_capsules = tapered_capsules_;
@@ -182,7 +188,8 @@ const render::View& Picture::view(const Simulation& simulation, const render::Or
 void Picture::add_colliders_beside() {
     const std::size_t spheres = spheres_.size(), capsules = capsules_.size(),
                       tapered = tapered_capsules_.size(), boxes = boxes_.size();
-    for (const ColliderId id : other_->content().drawn_colliders) add_collider(other_->world(), id);
+    for (const ColliderId id : other_->content().drawn_colliders)
+        add_collider(other_->world(), id, motion_beside_);
     const auto move = [by = beside_.offset().x](Vec3& p) { p.x += by; };
     for (std::size_t i = spheres; i < spheres_.size(); ++i) move(spheres_[i].center);
     for (std::size_t i = capsules; i < capsules_.size(); ++i) move(capsules_[i].a), move(capsules_[i].b);

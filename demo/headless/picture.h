@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "demo/look/beside.h"
+#include "demo/look/collider_motion.h"
 #include "demo/look/drawn_solid.h"
 #include "demo/look/inside.h"
 #include "demo/look/quality_choice.h"
@@ -50,7 +51,7 @@ class Picture {
         std::vector<Vec4> positions, previous_positions, normals, colours;
         RoundedMesh rounded;  ///< used where the scene has no finer mesh itself
     };
-    void add_collider(const World& world, ColliderId id);
+    void add_collider(const World& world, ColliderId id, ColliderMotion& motion);
     void show_cloth(const SceneCloth& cloth, const World& world);
     void add_colliders_beside();
     void update_rounded(const ClothView& view, std::size_t index, bool lies_on_itself);
@@ -59,8 +60,9 @@ class Picture {
     render::SceneRenderer renderer_;
     std::uint32_t cuts_ = 0;                   // number of cuts that are shown
     std::vector<render::ClothHandle> cloths_;  // in the order of SceneContent::cloths
-    std::vector<DrawnSolid> solids_;           // in the order of SceneContent::solids
-    std::vector<Fine> fine_;                   // as cloths_; empty where the cloth's own mesh is drawn
+    ColliderMotion motion_, motion_beside_;
+    std::vector<DrawnSolid> solids_;  // in the order of SceneContent::solids
+    std::vector<Fine> fine_;          // as cloths_; empty where the cloth's own mesh is drawn
     Inside inside_;
     const Simulation* other_ = nullptr;
     Beside beside_;
