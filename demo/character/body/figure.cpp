@@ -22,8 +22,8 @@ void enlarge(FigureLimb& limb, const Vector3& about, float longer, float wider_a
     limb.radius_b *= wider_b;
 }
 
-/// Copies the limbs with head, hands and feet enlarged, so that an even grid meshes them finer. They grow
-/// from where they are joined.
+/// Copies the limbs with head, hands and feet enlarged, and arms thickened, so that an even grid meshes them
+/// finer. They grow from where they are joined.
 std::vector<FigureLimb> enlarged(std::vector<FigureLimb> limbs) {
     for (std::size_t k = 1; k < limbs.size(); ++k) {
         FigureLimb &limb = limbs[k], &before = limbs[k - 1];
@@ -33,7 +33,10 @@ std::vector<FigureLimb> enlarged(std::vector<FigureLimb> limbs) {
             before.radius_b *= wider;
             return Vector3(before.b - joint);
         };
-        if (limb.kind == LimbKind::hand) {
+        if (limb.kind == LimbKind::forearm) {
+            before.radius_b *= 1.4f;
+            limb.radius_a *= 1.4f;
+        } else if (limb.kind == LimbKind::hand) {
             enlarge(limb, joint, 2.4f, 1.8f, 3.0f, lengthen(1.5f, 1.8f));
             limb.scale.setOnes();
         } else if (limb.kind == LimbKind::head) {
