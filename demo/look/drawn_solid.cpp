@@ -9,6 +9,7 @@ namespace weft::demo {
 
 DrawnSolid::DrawnSolid(const SceneSolid& solid, const Vec3& offset, render::SceneRenderer& renderer)
     : offset_(offset), mesh_(solid.mesh) {
+    if (mesh_.positions.empty()) return;
     std::vector<std::uint32_t> each(mesh_.positions.size());
     std::iota(each.begin(), each.end(), 0u);
     handle_ = renderer.add_cloth({.triangles = mesh_.triangles,

@@ -19,7 +19,7 @@ class DrawnSolid {
   private:
     [[nodiscard]] std::vector<Vec4> placed(const SceneSolid& solid, SolidMoment moment);
 
-    render::ClothHandle handle_;
+    render::ClothHandle handle_ = 0;  // null: the solid has no vertices
     Vec3 offset_;
     bool is_drawn_ = false;
     std::uint64_t step_ = 0;  // after which it is drawn

@@ -24,7 +24,7 @@ constexpr std::uint32_t drawn_vertices = 30000;  // of a dress
 constexpr std::array<Vec3, 4> crowd_colours{
     {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
 
-constexpr float figure_cell = 0.026f, crowd_cell = 0.038f;  // of figures' meshes [m]
+constexpr float figure_edges = 64, crowd_edges = 44;  // of figures' meshes, from soles to crown
 
 /// Binds the garment's finer mesh, if there is one, to be drawn in place of its cloth.
 Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {
@@ -124,7 +124,7 @@ class Walkers final : public Scene {
         const Character& character = walkers_[number];
         if (!figure_)
             figure_ = std::make_shared<const BodyFigure>(character.body(), character.skeleton(),
-                                                         is_crowd() ? crowd_cell : figure_cell);
+                                                         is_crowd() ? crowd_edges : figure_edges);
         const auto place = [this, number](std::span<Vec3> to, SolidMoment moment) {
             const Character& who = walkers_[number];
             const auto& [pose, capsules] = moment == SolidMoment::now ? who.body_now() : who.body_before();

@@ -7,8 +7,8 @@ namespace weft::demo {
 
 class BodyFigure {
   public:
-    /// Meshes the body with edges of about `cell` [m].
-    BodyFigure(const Body& body, const Skeleton& skeleton, float cell);
+    /// Meshes the body with about `edges` edges from its soles to its crown.
+    BodyFigure(const Body& body, const Skeleton& skeleton, float edges);
 
     [[nodiscard]] const Figure& figure() const { return figure_; }
     /// Writes each vertex's place [m]. Preconditions: `capsules` as Body::place() writes them for this pose,

@@ -27,7 +27,7 @@ void enlarge(FigureLimb& limb, const Vector3& about, float longer, float wider_a
 std::vector<FigureLimb> enlarged(std::vector<FigureLimb> limbs) {
     for (std::size_t k = 1; k < limbs.size(); ++k) {
         FigureLimb &limb = limbs[k], &before = limbs[k - 1];
-        const Vector3 joint = before.b, way = (before.b - before.a).normalized();
+        const Vector3 joint = before.b, way = (before.b - before.a).stableNormalized();
         const auto lengthen = [&](float by, float wider) {
             before.b += by * before.radius_b * way;
             before.radius_b *= wider;
@@ -50,23 +50,14 @@ std::vector<FigureLimb> enlarged(std::vector<FigureLimb> limbs) {
     return limbs;
 }
 
-Eigen::AlignedBox3f box_about(const FigureLimb& limb, float margin) {
-    Eigen::AlignedBox3f box;
-    for (const auto& [end, radius] : {std::pair(limb.a, limb.radius_a), {limb.b, limb.radius_b}}) {
-        box.extend(Vector3(end + Vector3::Constant(radius + margin)));
-        box.extend(Vector3(end - Vector3::Constant(radius + margin)));
-    }
-    return box;
-}
-
 /// Meshes the field with cubes of this side.
 Mesh mesh_of(const FigureField& field, std::span<const FigureLimb> limbs, float cell) {
     Eigen::AlignedBox3f all;
-    for (const FigureLimb& limb : limbs) all.extend(box_about(limb, 0));
+    for (const FigureLimb& limb : limbs) all.extend(limb.box());
     CornerGrid grid(all, cell, 1);
     std::vector<std::uint32_t> near(grid.values().size(), 0);  // a bit for each limb
     for (std::size_t limb = 0; limb < limbs.size(); ++limb)
-        grid.for_corners_in(box_about(limbs[limb], 0.04f + 2 * cell),
+        grid.for_corners_in(limbs[limb].box(4 * cell),
                             [&](const Vector3&, std::size_t at) { near[at] |= 1u << limb; });
     std::vector<std::uint8_t> list;
     grid.for_corners_in(all, [&](const Vector3& place, std::size_t at) {

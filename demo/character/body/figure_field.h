@@ -28,10 +28,6 @@ struct FigureBlob {
 /// The smooth union of all limbs' blobs in one pose.
 class FigureField {
   public:
-    /// The range of a limb's blobs.
-    struct Range {
-        std::uint32_t first, end;
-    };
     explicit FigureField(std::span<const FigureLimb> limbs);
 
     /// Approximate distance from the blobs of some limbs, ascending; exact on the surface.
@@ -40,6 +36,9 @@ class FigureField {
     [[nodiscard]] float of_limb(const Vector3& point, std::size_t limb) const;
 
   private:
+    struct Range {
+        std::uint32_t first, end;  // of a limb's blobs
+    };
     struct Placed {
         RoundCone cone;  // in the limb's scaled axes where `scaled`, otherwise in the World
         Vector3 origin;

@@ -2,6 +2,7 @@
 // The limbs that a person's drawn surface refers to: ends, radii and axes, without the twist of their bones.
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "demo/character/body/body.h"
@@ -18,6 +19,14 @@ struct FigureLimb {
     Vector3 scale = Vector3::Ones();  ///< of the limb's shape along its axes: hands are flat
 
     [[nodiscard]] Vector3 at(float along) const { return a + along * (b - a); }
+    [[nodiscard]] Eigen::AlignedBox3f box(float margin = 0) const {
+        Eigen::AlignedBox3f box;
+        for (const auto& [end, reach] : {std::pair(a, radius_a + margin), {b, radius_b + margin}}) {
+            box.extend(Vector3(end + Vector3::Constant(reach)));
+            box.extend(Vector3(end - Vector3::Constant(reach)));
+        }
+        return box;
+    }
     [[nodiscard]] float radius(float along) const { return radius_a + along * (radius_b - radius_a); }
 };
 

@@ -23,7 +23,7 @@ class Posed {
     explicit Posed(const Gait& gait)
         : walk_(gait),
           body_(Body::create(walk_.skeleton()).value()),
-          figure_(body_, walk_.skeleton(), 0.03f),
+          figure_(body_, walk_.skeleton(), 56),
           places_(figure_.figure().size()) {}
 
     void go_to(double time) {
