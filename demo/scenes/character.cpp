@@ -24,7 +24,7 @@ constexpr std::uint32_t drawn_vertices = 30000;  // of a dress
 constexpr std::array<Vec3, 4> crowd_colours{
     {{0.30f, 0.05f, 0.12f}, {0.05f, 0.14f, 0.32f}, {0.34f, 0.22f, 0.03f}, {0.06f, 0.22f, 0.12f}}};
 
-constexpr float figure_edges = 64, crowd_edges = 44;  // of figures' meshes, from soles to crown
+constexpr float figure_edges = 64, crowd_edges = 38;  // of figures' meshes, from soles to crown
 
 /// Binds the garment's finer mesh, if there is one, to be drawn in place of its cloth.
 Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {

@@ -179,16 +179,17 @@ void Figure::smooth(const FigureField& field, std::span<Vec3> places) const {
 
 Figure::Vertex Figure::bind(const Vector3& point, const FigureField& field,
                             std::span<const FigureLimb> limbs) {
-    std::vector<std::pair<float, std::uint8_t>> found;  // weight and limb
+    std::vector<std::pair<float, std::uint8_t>> found;  // distance over the radius, and limb
     for (std::size_t limb = 0; limb < limbs.size(); ++limb) {
         const float size = 0.5f * (limbs[limb].radius_a + limbs[limb].radius_b);
-        const float away = std::max(field.of_limb(point, limb), 0.0f) / size;
-        if (away > near_by) continue;
-        const float part = falloff / (falloff + away);
-        found.emplace_back(part * part * part * part, static_cast<std::uint8_t>(limb));
+        found.emplace_back(std::max(field.of_limb(point, limb), 0.0f) / size,
+                           static_cast<std::uint8_t>(limb));
     }
-    std::ranges::stable_sort(found, std::ranges::greater{}, [](const auto& each) { return each.first; });
-    found.resize(std::min(found.size(), most));
+    std::ranges::sort(found);
+    std::size_t kept = 1;
+    while (kept < std::min(found.size(), most) && found[kept].first <= near_by) ++kept;
+    found.resize(kept);
+    for (auto& [weight, limb] : found) weight = std::pow(falloff / (falloff + weight), 4.0f);
     std::ranges::sort(found, {}, [](const auto& each) { return each.second; });
     float sum = 0;
     for (const auto& each : found) sum += each.first;

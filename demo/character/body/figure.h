@@ -19,7 +19,8 @@ class Figure {
   public:
     Figure() = default;
     /// Meshes the limbs in a stance in which those that are not joined are apart. Hands, feet and head are
-    /// meshed finer than the rest, which has edges of about `cell` [m]. Precondition: at most 32 limbs.
+    /// meshed finer than the rest, which has edges of about `cell` [m]. Precondition: at most 32 limbs, each
+    /// after the one that it grows from, and a sole before its foot.
     Figure(std::vector<FigureLimb> stance, float cell);
     [[nodiscard]] std::size_t size() const { return vertices_.size(); }
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
