@@ -17,6 +17,8 @@ int run_motion(const StudyOptions& options);
 int run_contact(const StudyOptions& options);
 /// Time and motion error of many cloths: a budget beside one setting for all.
 int run_budget(const StudyOptions& options);
+/// All tables and charts that demo/charts keeps.
+int run_all(const AllOptions& options);
 /// Charts of the tables that the other commands wrote.
 int run_plot(const PlotOptions& options);
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <thread>
 
 namespace weft::study {
@@ -36,10 +37,22 @@ std::string machine_name() {
     return name;
 }
 
+// The charts' own folder does not count: a table that is written there differs from its first row on.
 std::string commit_name() {
-    const std::string name = first_line_of("git -C '" WEFT_SOURCE_FOLDER
-                                           "' describe --always --dirty=+ --exclude '*' 2> /dev/null");
-    return name.empty() ? "unknown" : name;
+    static const std::string name =
+        first_line_of("cd '" WEFT_SOURCE_FOLDER
+                      "' && printf %s%s \"$(git describe --always --exclude '*' 2> /dev/null)\" "
+                      "\"$(git diff --quiet HEAD -- . ':(exclude)demo/charts' 2> /dev/null || echo +)\"");
+    return name.empty() || name == "+" ? "unknown" : name;
+}
+
+std::string origin_of(const CsvTable& table, const std::string& command) {
+    std::set<std::string> origins;
+    for (const CsvRow& row : table.rows)
+        origins.insert("commit " + row.at("commit") + " on " + row.at("machine"));
+    std::string text = "weft_study " + command;
+    for (const std::string& origin : origins) text += "; " + origin;
+    return text;
 }
 
 }  // namespace weft::study

@@ -29,7 +29,9 @@ void describe_measuring(CLI::App& command, StudyOptions& options) {
 
 void describe_accuracy(CLI::App& command, StudyOptions& options) {
     describe_measuring(command, options);
-    command.add_option("--scenes", options.scenes, "hanging, wind, tshirt, dress (default: all)")
+    command
+        .add_option("--scenes", options.scenes,
+                    "hanging, wind, tshirt, dress (default: the first three, with --quick two)")
         ->delimiter(',')
         ->check(CLI::IsMember({"hanging", "wind", "tshirt", "dress"}))
         ->type_name("NAME,NAME...");
@@ -37,7 +39,7 @@ void describe_accuracy(CLI::App& command, StudyOptions& options) {
         ->type_name("DIR");
     command.add_option(
         "--fine-time-up-to", options.fine_time_limit,
-        "Particles up to which reference B is made (default: 20000; 65536 take an hour a scene)");
+        "Particles up to which the true motion is made (default: 20000; 65536 take an hour a scene)");
     command
         .add_option("--garments", options.garments,
                     "Folder that holds tshirt-iso.obj and dress-victor-iso-draped.obj (default: garments in "
@@ -70,6 +72,13 @@ void describe_contact(CLI::App& command, StudyOptions& options) {
         ->check(CLI::Range(64u, 1u << 20));
 }
 
+void describe_all(CLI::App& command, AllOptions& options) {
+    command.add_option("--out", options.out, "Folder for tables and charts (default: charts)")
+        ->type_name("DIR");
+    command.add_flag("--quick", options.quick, "Some 5 minutes: smaller sheets, fewer settings");
+    command.add_flag("--resume", options.resume, "Keep the rows of the folder's tables");
+}
+
 void describe_plot(CLI::App& command, PlotOptions& options) {
     command.add_option("--csv", options.csv, "Files that the other commands wrote")
         ->required()
@@ -84,6 +93,7 @@ int main(int argc, char** argv) {
     CLI::App app("Weft: what each method costs, how wrong it is and where it fails.", "weft_study");
     app.require_subcommand(1);
     StudyOptions accuracy, stability, physics, motion, contact, budget;
+    AllOptions all;
     PlotOptions plot;
     CLI::App* const accuracy_command = app.add_subcommand("accuracy", "Speed against accuracy, as CSV");
     CLI::App* const stability_command =
@@ -97,6 +107,8 @@ int main(int argc, char** argv) {
     CLI::App* const budget_command =
         app.add_subcommand("budget", "Fifty cloths within a time a step, beside one setting for all, as CSV");
     CLI::App* const plot_command = app.add_subcommand("plot", "Charts of such files, as SVG and PNG");
+    CLI::App* const all_command = app.add_subcommand(
+        "all", std::string("All of these and their charts: ") + time_of_all + " on two quiet cores");
     describe_accuracy(*accuracy_command, accuracy);
     describe_measuring(*stability_command, stability);
     describe_physics(*physics_command, physics);
@@ -104,6 +116,7 @@ int main(int argc, char** argv) {
     describe_contact(*contact_command, contact);
     describe_table(*budget_command, budget);
     describe_plot(*plot_command, plot);
+    describe_all(*all_command, all);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -120,6 +133,7 @@ int main(int argc, char** argv) {
         if (motion_command->parsed()) return run_motion(motion);
         if (contact_command->parsed()) return run_contact(contact);
         if (budget_command->parsed()) return run_budget(budget);
+        if (all_command->parsed()) return run_all(all);
         return run_plot(plot);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "weft_study: %s\n", error.what());

@@ -8,9 +8,26 @@
 
 #include "cloth/solver/solver.h"
 
+namespace weft {
+struct Cloth;
+}  // namespace weft
+
 namespace weft::study {
 
 struct StudyScene;
+
+/// Another engine's cloth, in place of Weft's.
+class Peer {
+  public:
+    Peer() = default;
+    Peer(const Peer&) = delete;
+    Peer& operator=(const Peer&) = delete;
+    virtual ~Peer() = default;
+    /// Takes a step and returns its milliseconds of the processor.
+    virtual double step(float seconds) = 0;
+    /// In the order of Weft's particles [m].
+    [[nodiscard]] virtual std::vector<Eigen::Vector3d> positions() const = 0;
+};
 
 /// One method at one setting.
 struct MethodPoint {
@@ -22,6 +39,8 @@ struct MethodPoint {
     /// Makes the solver of a method that only the study has; empty: the library's own, as configured.
     std::function<std::unique_ptr<Solver>(const ClothModel&, const ClothSettings&)> make_solver;
     bool is_default = false;  ///< the library's default
+    /// Makes another engine's cloth that starts as Weft's does; empty: Weft's is run.
+    std::function<std::unique_ptr<Peer>(const StudyScene&, const Cloth&)> make_peer{};
 
     [[nodiscard]] ClothSettings applied_to(ClothSettings settings) const {
         configure(settings);

@@ -21,9 +21,15 @@ struct StudyOptions {
     bool searches = false;             ///< contact: the broad phases of avoidance instead of scenes
     std::uint32_t particles = 0;       ///< of a scene, about; 0: the scene's own number
     std::vector<std::string> scenes;   ///< empty: all
-    /// Sheets of more particles have no reference B: at 256 x 256 it takes 7000 steps a frame.
+    /// Sheets of more particles are not compared with the truth: at 256 x 256 it takes 7000 steps a frame.
     std::uint32_t fine_time_limit = 20'000;
 };
+
+struct AllOptions {
+    std::filesystem::path out = "charts";  ///< folder for tables and charts
+    bool quick = false, resume = false;    ///< as in StudyOptions, for each command
+};
+inline constexpr const char* time_of_all = "some 25 minutes";
 
 struct PlotOptions {
     std::vector<std::filesystem::path> csv;  ///< of any of the commands; told apart by their columns

@@ -37,13 +37,12 @@ StudyScene hung_sheet(std::uint32_t per_side, bool wind) {
     return scene;
 }
 
-StudyScene hung_garment(const std::filesystem::path& obj, int quartered, const std::string& name) {
+StudyScene hung_garment(const std::filesystem::path& obj, const std::string& name) {
     StudyScene scene;
     scene.name = name;
     scene.mesh = must(load_obj(obj, {.texcoords_are_pattern = true}));
     demo::drop_unfit_pattern(scene.mesh);
     demo::stand_upright(scene.mesh, 0.45f);
-    for (int i = 0; i < quartered; ++i) scene.mesh = demo::refined(scene.mesh);
     scene.world.wind.air_density = 0;
     scene.pins = demo::highest_opening(scene.mesh);
     return scene;

@@ -13,8 +13,7 @@ namespace weft::study {
 /// breeze; otherwise in still air that takes 0.2 of the velocity per second.
 [[nodiscard]] StudyScene hung_sheet(std::uint32_t per_side, bool wind);
 
-/// A garment of a file, refined `quartered` times, hung by its highest opening.
-[[nodiscard]] StudyScene hung_garment(const std::filesystem::path& obj, int quartered,
-                                      const std::string& name);
+/// A garment of a file, hung by its highest opening in still air.
+[[nodiscard]] StudyScene hung_garment(const std::filesystem::path& obj, const std::string& name);
 
 }  // namespace weft::study

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "demo/study/accuracy/accuracy_rows.h"
@@ -33,9 +35,7 @@ TEST(Accuracy, TinyRunFillsTheTableAndResumes) {
                                        [](const CsvRow& r) { return r.at("method"); });
     ASSERT_NE(row, first.rows.end());
     EXPECT_EQ(row->at("status"), "ok");
-    // A1 is the same linear system solved as exactly, so only rounding parts them.
-    EXPECT_LT(parse_number(row->at("error_a1_1s_mm")).value(), 0.1);
-    EXPECT_GT(parse_number(row->at("error_a_1s_mm")).value(), 0.1);
+    EXPECT_GT(parse_number(row->at("own_1s_mm")).value(), 0.1) << "one linearisation is not the step";
     EXPECT_GT(parse_number(row->at("median_ms")).value(), 0);
 
     options.resume = true;
@@ -48,8 +48,12 @@ TEST(Accuracy, TinyRunFillsTheTableAndResumes) {
 
     PlotOptions plot{{options.csv}, folder.file("charts")};
     ASSERT_EQ(run_plot(plot), 0);
-    for (const char* const name : {"accuracy-hanging-8-a-1s.svg", "accuracy-hanging-8-b-0.5s.png"})
+    for (const char* const name : {"accuracy-hanging-8-own-0.5s.svg", "accuracy-hanging-8-truth-1s.png"})
         EXPECT_GT(std::filesystem::file_size(plot.out / name), 1000u) << name;
+    std::ifstream picture(plot.out / "accuracy-hanging-8-truth-1s.svg");
+    const std::string text(std::istreambuf_iterator<char>(picture), {});
+    EXPECT_NE(text.find(row->at("commit")), std::string::npos) << "a chart says where it is from";
+    EXPECT_NE(text.find(row->at("machine")), std::string::npos);
 }
 
 TEST(Accuracy, EveryMethodRunsAndHasItsOwnKey) {
@@ -63,25 +67,42 @@ TEST(Accuracy, EveryMethodRunsAndHasItsOwnKey) {
     }
 }
 
-// The converged reference as a method has no error and no gap; having done nothing, a gap near 1.
-TEST(GarmentSteps, JudgeTheConvergedStepAsPerfect) {
+// A method is compared with what it converges to itself, so that the converged steps have no distance of
+// their own, and each has one from the truth.
+TEST(Accuracy, ConvergedStepsAreTheirOwnReferences) {
     const StudyFolder folder;
-    StudyScene sheet = hung_sheet(10, false);
-    ReferenceStore store(folder.path(), 1);
-    const GarmentSteps steps(sheet, store, 1);
-    study::Run converged(steps.start(1), method_of(Reference::converged), 1);
-    converged.step();
-    EXPECT_LT(steps.judge(1, converged.cloth()).rms, 1e-7);
-    EXPECT_NEAR(steps.judge(1, converged.cloth()).energy_gap, 0, 1e-6);
-
-    MethodPoint weak = method_of(Reference::converged);
-    weak.make_solver = {};
-    weak.configure = [](ClothSettings& settings) { settings.method = Jacobi{1}; };
-    study::Run jacobi(steps.start(1), weak, 1);
-    jacobi.step();
-    EXPECT_GT(steps.judge(1, jacobi.cloth()).energy_gap, 1e-4);
-    EXPECT_LT(steps.judge(1, jacobi.cloth()).energy_gap, 1);
+    const StudyScene scene = hung_sheet(8, false);
+    ReferenceStore store(folder.path());
+    std::map<Reference, States> references;
+    for (const Reference reference : all_references)
+        references[reference] = store.states(scene, reference, compared_frames);
+    for (const Reference reference : {Reference::converged, Reference::converged_bdf2}) {
+        const CsvRow row = measure_trajectory(scene, method_of(reference), references, 1).row;
+        for (const char* const moment : {"_0.5s_mm", "_1s_mm"}) {
+            EXPECT_LT(parse_number(row.at(std::string("own") + moment)).value(), 1e-3) << row.at("method");
+            EXPECT_GT(parse_number(row.at(std::string("truth") + moment)).value(), 1) << row.at("method");
+        }
+    }
 }
+
+#ifdef WEFT_WITH_BULLET
+TEST(Accuracy, BulletsClothNearsTheTruthWithItsIterations) {
+    const StudyFolder folder;
+    const StudyScene scene = hung_sheet(8, false);
+    std::map<Reference, States> truth;
+    truth[Reference::fine_time] =
+        ReferenceStore(folder.path()).states(scene, Reference::fine_time, compared_frames);
+    std::vector<double> distances;
+    for (const MethodPoint& point : only_named(method_points(Coverage::all, scene), "bullet")) {
+        const CsvRow row = measure_trajectory(scene, point, truth, 1).row;
+        distances.push_back(parse_number(row.at("truth_0.5s_mm")).value());
+        EXPECT_FALSE(row.contains("own_0.5s_mm"));
+    }
+    ASSERT_GT(distances.size(), 1u);
+    EXPECT_LT(distances.back(), distances.front());
+    EXPECT_LT(distances.back(), 200);
+}
+#endif
 
 }  // namespace
 }  // namespace weft::study

@@ -1,4 +1,4 @@
-// Reference B: its order, and the motion of one particle that is known.
+// The truth by fine steps: its order, and the motion of one particle that is known.
 
 #include "demo/study/reference/fine_time.h"
 

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
+#include <ranges>
 #include <sstream>
 #include <utility>
 
 #include "demo/study/charts/front.h"
 #include "demo/study/charts/gnuplot.h"
+#include "demo/study/machine.h"
 
 namespace weft::study {
 
@@ -19,50 +20,27 @@ namespace {
 struct Kind {
     std::string file, title, axis, column;
     bool has_front;
-    /// Rows of references whose value is drawn as a level, and the level's name.
-    std::vector<std::pair<std::string, std::string>> levels;
 };
 
 const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all{
-        {"a-1s",
-         "distance from converged backward Euler after 1 s",
-         "RMS distance of particles [mm]",
-         "error_a_1s_mm",
-         true,
-         {{"linearised", "one linearisation, solved exactly"}}},
-        {"b-0.5s",
-         "distance from the true motion (tiny steps) after 0.5 s",
-         "RMS distance of particles [mm]",
-         "error_b_0.5s_mm",
-         true,
-         {{"converged", "backward Euler, converged"}, {"converged-bdf2", "BDF2, converged"}}},
-        {"own-1s",
-         "distance from the method's own converged step after 1 s",
-         "RMS distance of particles [mm]",
-         "error_own_1s_mm",
-         false,
-         {}},
-        {"stretch",
-         "worst stretch of a thread after 1 s",
-         "worst stretch [%]",
-         "worst_stretch_percent",
-         false,
-         {{"fine-time", "the true motion (tiny steps)"}}},
-        {"step",
-         "distance from the converged step",
-         "RMS distance of particles after one step [mm]",
-         "error_a_step_mm",
-         true,
-         {}},
-        {"energy",
-         "energy left above the converged step",
-         "energy gap over that of the inertial start",
-         "energy_gap",
-         true,
-         {}},
+        {"truth-0.5s", "distance from the true motion after 0.5 s", "RMS distance of particles [mm]",
+         "truth_0.5s_mm", true},
+        {"truth-1s", "distance from the true motion after 1 s", "RMS distance of particles [mm]",
+         "truth_1s_mm", true},
+        {"own-0.5s", "distance from the method's own converged step after 0.5 s",
+         "RMS distance of particles [mm]", "own_0.5s_mm", false},
+        {"stretch", "worst stretch of a thread after 1 s", "worst stretch [%]", "worst_stretch_percent",
+         false},
     };
     return all;
+}
+
+/// The name of a reference's level in a chart.
+std::string level_name(const std::string& reference) {
+    if (reference == "converged") return "backward Euler, converged";
+    if (reference == "converged-bdf2") return "BDF2, converged";
+    return "the true motion";
 }
 
 /// How a curve looks: families by colour, members by shade and mark.
@@ -74,25 +52,22 @@ struct Style {
 Style style_of(const std::string& method) {
     static const std::map<std::string, Style> styles{
         {"jacobi", {"#d62728", 7}},
-        {"jacobi-even", {"#f4a6a6", 6}},
         {"jacobi-tethers", {"#8c1515", 9}},
         {"jacobi-substeps", {"#e8590c", 8}},
         {"chebyshev", {"#f59f00", 5}},
         {"cg", {"#b8860b", 13}},
-        {"multilevel-nlcg", {"#1f77b4", 7}},
-        {"multilevel-linear", {"#74c0fc", 6}},
-        {"multilevel-passes", {"#0b3d91", 5}},
-        {"multilevel-substeps", {"#15aabf", 8}},
-        {"multilevel-bdf2", {"#2b8a3e", 9}},
-        {"multilevel-bdf2-substeps", {"#74b816", 11}},
-        {"elements", {"#087f5b", 4}},
+        {"multilevel", {"#0b3d91", 5}},
+        {"multilevel-substeps-1", {"#15aabf", 8}},
+        {"multilevel-substeps-3", {"#1f77b4", 9}},
+        {"multilevel-euler", {"#2b8a3e", 5}},
+        {"multilevel-euler-substeps", {"#74b816", 8}},
         {"xpbd", {"#9c36b5", 7}},
         {"xpbd-iterations", {"#da77f2", 6}},
         {"fibres", {"#e64980", 13}},
         {"fibres-substeps", {"#f783ac", 12}},
         {"symplectic-euler", {"#495057", 15}},
-        {"explicit-euler", {"#adb5bd", 14}},
         {"cholesky", {"#000000", 2}},
+        {"bullet", {"#5c3a1e", 11}},
     };
     const auto at = styles.find(method);
     return at == styles.end() ? Style{"#868e96", 1} : at->second;
@@ -121,19 +96,19 @@ struct Chart {
     std::vector<Curve> curves;
     std::vector<MeasuredSetting> defaults;
     std::vector<std::pair<std::string, double>> levels;
-    std::set<std::string> diverged;
+    std::map<std::string, std::string> diverged;  ///< settings by the curve's label
 };
 
 Chart chart_of(const Rows& rows, const Kind& kind) {
     Chart chart;
     for (const CsvRow* const row : rows) {
-        if (row->at("status") == "diverged")
-            chart.diverged.insert(row->at("label") + " " + row->at("setting"));
-        const auto error = positive(*row, kind.column), cost = positive(*row, "median_ms");
-        if (row->at("status") == "reference" && error) {
-            for (const auto& [method, text] : kind.levels)
-                if (row->at("method") == method) chart.levels.emplace_back(text, *error);
+        if (row->at("status") == "diverged") {
+            std::string& settings = chart.diverged[row->at("label")];
+            settings += (settings.empty() ? " " : ", ") + row->at("setting");
         }
+        const auto error = positive(*row, kind.column), cost = positive(*row, "median_ms");
+        if (row->at("status") == "reference" && error)
+            chart.levels.emplace_back(level_name(row->at("method")), *error);
         if (row->at("status") != "ok" || !error || !cost) continue;
         const MeasuredSetting measured{{*cost, *error}, row->at("setting")};
         if (row->at("default") == "yes") chart.defaults.push_back(measured);
@@ -173,7 +148,6 @@ std::string scene_title(const CsvRow& row) {
     static const std::map<std::string, std::string> titles{{"hanging", "Sheet hung by two corners"},
                                                            {"wind", "Hung sheet in wind"},
                                                            {"tshirt", "T-shirt hung by its neck"},
-                                                           {"tshirt-fine", "T-shirt hung by its neck"},
                                                            {"dress", "Dress hung by its neck"}};
     const auto at = titles.find(row.at("scene"));
     const std::string title = at == titles.end() ? row.at("scene") : at->second;
@@ -188,72 +162,95 @@ const CsvRow& described(const Rows& rows) {
     return at == rows.end() ? *rows.front() : **at;
 }
 
-std::string rounded(const std::string& value) {
-    const auto parsed = parse_number(value);
-    return parsed ? std::to_string(std::llround(*parsed)) : value;
+/// The machine, the commit and the settings that are not drawn, in lines that fit the picture.
+std::string footer_of(const CsvTable& table, const CsvRow& row, const Chart& chart) {
+    constexpr std::size_t longest = 190;  // characters
+    std::string text = origin_of(table, "accuracy") + ", of which " + row.at("threads") + " used";
+    if (chart.diverged.empty()) return text;
+    std::string line = "Not drawn, since they diverged: ";
+    for (const auto& [label, settings] : chart.diverged) {
+        if (line.size() + label.size() + settings.size() > longest) text += "\n" + std::exchange(line, "");
+        line.append(label).append(settings).append("; ");
+    }
+    return text + "\n" + line.substr(0, line.size() - 2);
 }
 
-std::string caption(const CsvRow& row, const Chart& chart) {
-    std::string text = row.at("machine") + ", " + row.at("threads") + " used; commit " + row.at("commit") +
-                       "; κ = " + rounded(row.at("kappa")) + "; weft_study accuracy, then weft_study plot";
-    if (!chart.diverged.empty()) {
-        text += "\nNot drawn, since they diverged:";
-        std::string line;
-        for (const std::string& what : chart.diverged) {
-            if (line.size() > 110) text += std::exchange(line, "") + "\n";
-            line += (line.empty() ? " " : "; ") + what;
+/// A logarithmic axis, a little longer than the values: gnuplot's own ranges are whole decades.
+struct Axis {
+    double from, to;
+
+    explicit Axis(const std::vector<double>& values)
+        : from(0.7 * std::ranges::min(values)), to(1.6 * std::ranges::max(values)) {}
+    /// The share of the axis's length at which a value is.
+    [[nodiscard]] double at(double value) const { return std::log(value / from) / std::log(to / from); }
+    /// An axis of at most two decades may hold no power of ten, and has marks at 1, 2 and 5.
+    [[nodiscard]] std::string settings(char name) const {
+        std::ostringstream text;
+        text << "set " << name << "range [" << from << ':' << to << "]\n";
+        if (to > 100 * from) return text.str();
+        text << "set " << name << "tics (";
+        const char* separator = "";
+        for (double decade = std::pow(10, std::floor(std::log10(from))); decade <= to; decade *= 10) {
+            for (const double mark : {decade, 2 * decade, 5 * decade})
+                if (mark >= from && mark <= to) text << std::exchange(separator, ", ") << mark;
         }
-        text += line;
+        text << ")\n";
+        return text.str();
     }
-    return text;
-}
+};
 
-/// An axis's range, a little beyond the values: gnuplot's own ranges are whole decades. An axis of at most
-/// two decades may hold no power of ten, and has marks at 1, 2 and 5.
-std::string range_of(char axis, const std::vector<double>& values) {
-    const auto [least, largest] = std::ranges::minmax(values);
-    const double from = 0.7 * least, to = 1.6 * largest;
-    std::ostringstream text;
-    text << "set " << axis << "range [" << from << ':' << to << "]\n";
-    if (to > 100 * from) return text.str();
-    text << "set " << axis << "tics (";
-    const char* separator = "";
-    for (double decade = std::pow(10, std::floor(std::log10(from))); decade <= to; decade *= 10) {
-        for (const double mark : {decade, 2 * decade, 5 * decade})
-            if (mark >= from && mark <= to) text << std::exchange(separator, ", ") << mark;
-    }
-    text << ")\n";
-    return text.str();
-}
+struct Axes {
+    Axis cost, error;
+};
 
-std::string ranges_of(const Chart& chart) {
+Axes axes_of(const Chart& chart) {
     std::vector<double> costs, errors;
-    const auto take = [&](const std::vector<MeasuredSetting>& points) {
-        for (const MeasuredSetting& point : points) {
+    for (const Curve& curve : chart.curves) {
+        for (const MeasuredSetting& point : curve.points) {
             costs.push_back(point.at.cost);
             errors.push_back(point.at.error);
         }
-    };
-    take(chart.defaults);
-    for (const Curve& curve : chart.curves) take(curve.points);
+    }
     for (const auto& [label, value] : chart.levels) errors.push_back(value);
-    return range_of('x', costs) + range_of('y', errors);
+    return {Axis(costs), Axis(errors)};
+}
+
+constexpr int width = 1200, height = 720;
+constexpr double left = 0.065, right = 0.68, top = 0.93;  // of the plot, as shares of the picture
+
+/// The points of the front whose names do not cover each other, the most accurate first.
+std::vector<MeasuredSetting> labelled(const std::vector<MeasuredSetting>& front, const Axes& axes) {
+    constexpr double label_width = 130, label_height = 12;  // [pixels]
+    const auto x = [&](const MeasuredSetting& m) { return (right - left) * width * axes.cost.at(m.at.cost); };
+    const auto y = [&](const MeasuredSetting& m) { return 0.85 * height * axes.error.at(m.at.error); };
+    std::vector<MeasuredSetting> kept;
+    for (const MeasuredSetting& point : front | std::views::reverse) {
+        const bool is_free = std::ranges::all_of(kept, [&](const MeasuredSetting& other) {
+            return std::abs(x(point) - x(other)) > label_width ||
+                   std::abs(y(point) - y(other)) > label_height;
+        });
+        if (is_free) kept.push_back(point);
+    }
+    return kept;
 }
 
 std::string settings_of(const Kind& kind, const CsvRow& row, const Chart& chart) {
+    const Axes axes = axes_of(chart);
     std::ostringstream text;
     text << "set encoding utf8\nset logscale xy\nset format '%g'\nset border 3 linecolor rgb '#495057'\n"
             "set tics nomirror\nset grid xtics ytics mxtics mytics linetype 1 linewidth 1 linecolor rgb "
-            "'#dde2e6', "
-            "linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'\n"
-         << ranges_of(chart) << "set title " << quoted(scene_title(row) + ": " + kind.title)
-         << " noenhanced font ',13'\n"
+            "'#dde2e6', linetype 1 linewidth 0.5 linecolor rgb '#eff2f5'\n"
+         << axes.cost.settings('x') << axes.error.settings('y') << "set label 1 "
+         << quoted(scene_title(row) + ": " + kind.title)
+         << " at screen 0.012, screen 0.965 font ',13' noenhanced\n"
          << "set xlabel 'median time of a frame of 1/60 s [ms]'\nset ylabel " << quoted(kind.axis) << "\n"
          << "set key outside right top Left reverse samplen 2 spacing 1.25 font ',10' noenhanced\n"
-         << "set rmargin 42\nset bmargin " << (chart.diverged.empty() ? 5 : 8) << '\n'
-         << "set label 1 " << quoted(caption(row, chart)) << " at screen 0.012, screen "
-         << (chart.diverged.empty() ? 0.022 : 0.085) << " font ',8' textcolor rgb '#6c757d' noenhanced\n";
-    if (kind.has_front) text << data_block("front", front_of_chart(chart));
+         << "set lmargin at screen " << left << "\nset rmargin at screen " << right
+         << "\nset tmargin at screen " << top << '\n';
+    if (kind.has_front) {
+        const std::vector<MeasuredSetting> front = front_of_chart(chart);
+        text << data_block("front", front) << data_block("labelled", labelled(front, axes));
+    }
     for (std::size_t c = 0; c < chart.curves.size(); ++c)
         text << data_block("curve" + std::to_string(c), chart.curves[c].points);
     text << data_block("default", chart.defaults);
@@ -268,9 +265,8 @@ std::string plot_of(const Kind& kind, const Chart& chart) {
         return text;
     };
     if (kind.has_front)
-        next() << "$front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'the front: nothing "
-                  "is cheaper and "
-                  "better'";
+        next() << "$front using 1:2 with lines linewidth 9 linecolor rgb '#ffe8a3' title 'nothing is cheaper "
+                  "and better'";
     for (int dash = 2; const auto& [label, value] : chart.levels)
         next() << value << " with lines dashtype " << dash++
                << " linewidth 1.2 linecolor rgb '#495057' title " << quoted(label);
@@ -281,7 +277,7 @@ std::string plot_of(const Kind& kind, const Chart& chart) {
                << quoted(chart.curves[c].label);
     }
     if (kind.has_front)
-        next() << "$front using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' "
+        next() << "$labelled using 1:2:3 with labels left offset 0.8,0.6 font ',7' textcolor rgb '#343a40' "
                   "noenhanced notitle";
     if (!chart.defaults.empty()) {
         next() << "$default using 1:2 with points pointtype 3 pointsize 3 linewidth 3 linecolor rgb "
@@ -295,7 +291,7 @@ std::string plot_of(const Kind& kind, const Chart& chart) {
 }  // namespace
 
 bool is_accuracy_table(const CsvTable& table) {
-    return std::ranges::find(table.columns, "error_a_1s_mm") != table.columns.end();
+    return std::ranges::find(table.columns, "truth_1s_mm") != table.columns.end();
 }
 
 void draw_accuracy(const CsvTable& table, const std::filesystem::path& folder) {
@@ -308,8 +304,10 @@ void draw_accuracy(const CsvTable& table, const std::filesystem::path& folder) {
         for (const Kind& kind : kinds()) {
             const Chart chart = chart_of(rows, kind);
             if (chart.curves.empty()) continue;
-            draw_with_gnuplot(folder / ("accuracy-" + name + "-" + kind.file), 1200, 760,
-                              settings_of(kind, described(rows), chart), plot_of(kind, chart));
+            const CsvRow& row = described(rows);
+            draw_with_gnuplot(folder / ("accuracy-" + name + "-" + kind.file),
+                              {width, height, footer_of(table, row, chart)}, settings_of(kind, row, chart),
+                              plot_of(kind, chart));
         }
     }
 }

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "demo/study/accuracy/garment_steps.h"
 #include "demo/study/charts/csv.h"
 #include "demo/study/reference/states.h"
 
@@ -15,11 +14,8 @@ namespace weft::study {
 /// The columns that identify a row.
 [[nodiscard]] std::vector<std::string> accuracy_keys();
 
-/// Frames at which trajectories are compared, and at which energy is taken: 0.5 s, 1 s and 2 s at 60 frames a
-/// second.
-struct ComparedFrames {
-    static constexpr int half_second = 30, second = 60, last = 120;
-};
+/// Frames at which trajectories are compared: 0.5 s and 1 s at 60 frames a second.
+inline const std::vector<int> compared_frames{30, 60};
 
 /// The columns that describe the run: all keys, machine, commit, label and default.
 [[nodiscard]] CsvRow identity(const StudyScene& scene, const MethodPoint& point, int threads);
@@ -32,18 +28,11 @@ struct Measured {
 /// Writes the frames' number, and the median and 99th percentile of their times.
 void put_times(CsvRow& row, const std::vector<double>& milliseconds);
 
-/// Runs a sheet from its start for two seconds; the first second is timed.
+/// Runs a scene from its start for one second.
 [[nodiscard]] Measured measure_trajectory(const StudyScene& scene, const MethodPoint& point,
                                           const std::map<Reference, States>& references, int threads);
-/// Repeats that first second for its times alone.
-[[nodiscard]] std::vector<double> time_trajectory(const StudyScene& scene, const MethodPoint& point,
-                                                  int threads);
-/// A reference's distances from the others: the error left to a method that matches this reference exactly.
+/// A reference's distance from the truth: the error left to a method that matches this reference exactly.
 [[nodiscard]] CsvRow compare_reference(const StudyScene& scene, Reference reference,
                                        const std::map<Reference, States>& references, int threads);
-/// Measures one step of a garment from each of several states.
-[[nodiscard]] Measured measure_steps(const GarmentSteps& steps, const MethodPoint& point, int threads);
-[[nodiscard]] std::vector<double> time_steps(const GarmentSteps& steps, const MethodPoint& point,
-                                             int threads);
 
 }  // namespace weft::study

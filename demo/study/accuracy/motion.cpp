@@ -79,7 +79,7 @@ class Motion {
           swinging_(swinging_sheet(sizes_.swing)),
           table_(options.csv, columns, options.resume) {
         const std::filesystem::path beside = options.csv.parent_path() / "references";
-        ReferenceStore store(options.cache.empty() ? beside : options.cache, threads_);
+        ReferenceStore store(options.cache.empty() ? beside : options.cache);
         std::fputs("the truth\n", stderr);
         truth_ = store.states(hung_, Reference::fine_time, {30, 60});
         lost_in_truth_ = energy_lost(swinging_, true_swing(swinging_, 60, swing_seconds, threads_));

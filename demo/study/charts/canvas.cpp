@@ -31,12 +31,12 @@ void Canvas::text(double x, double y, const std::string& text, int size, Align a
            << ") textcolor rgb " << quoted(hexadecimal(colour)) << (bold ? "" : " noenhanced") << " front\n";
 }
 
-void Canvas::draw(const std::filesystem::path& stem) const {
+void Canvas::draw(const std::filesystem::path& stem, const std::string& footer) const {
     std::ostringstream settings;
     settings << "set encoding utf8\nunset border\nunset tics\nunset key\nset margins 0,0,0,0\nset xrange [0:"
              << width_ << "]\nset yrange [0:" << height_ << "]\n"
              << boxes_.str();
-    draw_with_gnuplot(stem, width_, height_, settings.str(),
+    draw_with_gnuplot(stem, {width_, height_, footer, 0}, settings.str(),
                       "scale = GPVAL_TERM eq 'svg' ? 4.0 / 3 : 1\n" + texts_.str() + "plot NaN\n");
 }
 

@@ -19,8 +19,8 @@ class Canvas {
     void text(double x, double y, const std::string& text, int size, Align align = Align::left,
               unsigned colour = 0x222222, bool bold = false);
 
-    /// Writes `stem`.gnuplot beside the pictures. Throws std::runtime_error if gnuplot fails.
-    void draw(const std::filesystem::path& stem) const;
+    /// Draws `stem`.svg and `stem`.png with small lines below. Throws std::runtime_error if gnuplot fails.
+    void draw(const std::filesystem::path& stem, const std::string& footer) const;
 
   private:
     int width_, height_, text_count_ = 0;

@@ -1,5 +1,6 @@
 #include "demo/study/charts/gnuplot.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -19,15 +20,23 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-void draw_with_gnuplot(const std::filesystem::path& stem, int width, int height, const std::string& settings,
+void draw_with_gnuplot(const std::filesystem::path& stem, const Picture& picture, const std::string& settings,
                        const std::string& plot) {
+    constexpr int line_height = 14;  // of the footer [pixels]
+    const auto lines = std::ranges::count(picture.footer, '\n') + (picture.footer.empty() ? 0 : 1);
+    const int footer = line_height * static_cast<int>(lines) + 8, height = picture.height + footer;
+    const auto share = [&](int pixels) { return static_cast<double>(pixels) / height; };
+
     const std::filesystem::path folder = stem.has_parent_path() ? stem.parent_path() : ".";
     const std::string name = stem.filename().string();
-    const std::string size = std::to_string(width) + "," + std::to_string(height);
+    const std::string size = std::to_string(picture.width) + "," + std::to_string(height);
     std::filesystem::create_directories(folder);
     const std::string script = stem.string() + ".gnuplot";
     std::ofstream out(script);
-    out << settings << "set terminal svg size " << size << " font 'DejaVu Sans,13' background rgb 'white'\n"
+    out << settings << "set bmargin at screen " << share(footer + picture.below_plot) << "\nset label 1000 "
+        << quoted(picture.footer) << " at screen 0.012, screen " << share(footer - line_height / 2)
+        << " font ',8' textcolor rgb '#6c757d' noenhanced\n"
+        << "set terminal svg size " << size << " font 'DejaVu Sans,13' background rgb 'white'\n"
         << "set output " << quoted(name + ".svg") << '\n'
         << plot << "set terminal pngcairo size " << size << " font 'DejaVu Sans,10' background rgb 'white'\n"
         << "set output " << quoted(name + ".png") << '\n'
@@ -35,6 +44,7 @@ void draw_with_gnuplot(const std::filesystem::path& stem, int width, int height,
     out.close();
     const std::string command = "cd '" + folder.string() + "' && gnuplot '" + name + ".gnuplot'";
     if (!out || std::system(command.c_str()) != 0) throw std::runtime_error(script + " could not be drawn");
+    std::filesystem::remove(script);
 }
 
 }  // namespace weft::study

@@ -8,11 +8,14 @@
 
 #include "demo/study/charts/gnuplot.h"
 #include "demo/study/contact/contact_scenes.h"
+#include "demo/study/machine.h"
 
 namespace weft::study {
 
 namespace {
 
+constexpr const char* contact_title =
+    "Crossings and stretch where cloth meets cloth: the worst of a run, and what is left at its end";
 constexpr std::array<const char*, 4> colours{"#7f7f7f", "#1f77b4", "#d62728", "#2ca02c"};  // of the methods
 
 std::vector<std::string> scenes_of(const CsvTable& table) {
@@ -65,18 +68,21 @@ void draw_contact(const CsvTable& table, const std::filesystem::path& folder) {
                  << "$edges" << r << " << EOD\n"
                  << points(table, scenes, r, "stretch_worst", "stretch_final", 1) << "EOD\n";
     }
+    const int height = 170 + 24 * static_cast<int>(scenes.size());
+    const auto share = [&](int pixels) { return 1 - static_cast<double>(pixels) / height; };
     settings << "set yrange [" << static_cast<double>(scenes.size()) - 0.5 << ":-0.5]\nset grid\n"
-             << "set logscale x\nset key outside top center horizontal\nset ytics (";
+             << "set logscale x\nset tmargin at screen " << share(84) << "\nset key at screen 0.5, screen "
+             << share(30) << " center top horizontal\nset label 1 " << quoted(contact_title) << " at screen 0.012, screen "
+             << share(16) << " font ',13' noenhanced\nset ytics (";
     for (std::size_t i = 0; i < scenes.size(); ++i)
         settings << (i > 0 ? ", " : "") << quoted(scenes[i]) << ' ' << i;
     settings << ")\n";
-    const std::string plot = "set multiplot layout 1,2\nset xrange [0.4:*]\nset xlabel " +
+    const std::string plot = "set multiplot layout 1,2\nset key\nset xrange [0.4:*]\nset xlabel " +
                              quoted("crossing pairs of triangles, none at 0.5") + "\n" + plot_of("pairs") +
-                             "set xrange [0.98:*]\nset xlabel " +
+                             "unset key\nset xrange [0.98:*]\nset xlabel " +
                              quoted("longest edge over its length at rest") + "\n" + plot_of("edges") +
                              "unset multiplot\n";
-    const int height = 160 + 24 * static_cast<int>(scenes.size());
-    draw_with_gnuplot(folder / "contact", 1300, height, settings.str(), plot);
+    draw_with_gnuplot(folder / "contact", {1300, height, origin_of(table, "contact")}, settings.str(), plot);
 }
 
 }  // namespace weft::study

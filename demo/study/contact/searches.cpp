@@ -287,7 +287,8 @@ void draw_searches(const CsvTable& table, const std::filesystem::path& folder) {
         "set multiplot layout 1,2\nset yrange [0:1.05]\nset ylabel 'part of the pairs found'\n" +
         recall.str() + "\nset logscale y\nset yrange [*:*]\nset ylabel 'distances computed for a hit'\n" +
         work.str() + "\nunset multiplot\n";
-    draw_with_gnuplot(folder / "searches", 1100, 420, settings.str(), plot);
+    draw_with_gnuplot(folder / "searches", {1100, 420, origin_of(table, "contact --searches")},
+                      settings.str(), plot);
 }
 
 }  // namespace weft::study

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demo/study/charts/gnuplot.h"
+#include "demo/study/machine.h"
 #include "demo/study/physics/physics_test.h"
 
 namespace weft::study {
@@ -53,7 +54,7 @@ Lines lines_of(const CsvTable& table) {
 void draw_physics(const CsvTable& table, const std::filesystem::path& folder) {
     const Lines lines = lines_of(table);
     std::ostringstream settings, plot;
-    settings << "set title 'measured beside known'\nset logscale x\nset xrange [" << 0.8 * least_shown << ":"
+    settings << "set title 'Error of what is measured beside what is known'\nset logscale x\nset xrange [" << 0.8 * least_shown << ":"
              << 1.2 * most_shown << "]\nset yrange [" << static_cast<double>(lines.titles.size()) - 0.5
              << ":-0.5]\nset xlabel " << quoted("error [%], at least 0.1; larger marks are finer meshes")
              << "\nset grid\nset key outside top center horizontal\nset ytics (";
@@ -82,7 +83,8 @@ void draw_physics(const CsvTable& table, const std::filesystem::path& folder) {
              << "linecolor rgb " << quoted(colours[m]) << " title " << quoted(name_of(force_models[m]));
     plot << '\n';
     const int height = 140 + 22 * static_cast<int>(lines.titles.size());
-    draw_with_gnuplot(folder / "physics", 1000, height, settings.str(), plot.str());
+    draw_with_gnuplot(folder / "physics", {1000, height, origin_of(table, "physics")}, settings.str(),
+                      plot.str());
 }
 
 }  // namespace weft::study

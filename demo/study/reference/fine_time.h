@@ -1,5 +1,5 @@
 #pragma once
-// Reference B: the same cloth in double precision, in time steps so small that their error does not matter.
+// The truth: the same cloth in double precision, in time steps so small that their error does not matter.
 
 #include <array>
 #include <cstdint>

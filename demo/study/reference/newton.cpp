@@ -103,8 +103,8 @@ Flat Newton::direction(const StepFunctional& functional, const Flat& v, const Fl
     return step;
 }
 
-ConvergedSolver::ConvergedSolver(const ClothModel& model, const ClothSettings& settings, double tolerance)
-    : tolerance_(tolerance), approach_settings_(settings) {
+ConvergedSolver::ConvergedSolver(const ClothModel& model, const ClothSettings& settings)
+    : approach_settings_(settings) {
     if (model.particle_count <= ExactSolve::usual_limit) return;
     approach_settings_.method = Multilevel{.passes = 60};
     approach_ = std::make_unique<MultilevelSolver>(model, approach_settings_, model.positions.span());
@@ -137,7 +137,7 @@ SolveResult ConvergedSolver::solve(const SolverStep& step) {
         return {.residual = static_cast<float>(functional.residual(nearby).norm() /
                                                functional.residual(functional.start()).norm())};
     if (!newton_) newton_ = std::make_unique<Newton>(step, functional);
-    const NewtonResult result = newton_->minimise(step, functional, tolerance_, nearby);
+    const NewtonResult result = newton_->minimise(step, functional, converged, nearby);
     for (std::uint32_t i = 0; i < functional.particles(); ++i) {
         const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
         step.velocities[i] = to_vec4(result.velocities.segment<3>(at).cast<float>(), 0);

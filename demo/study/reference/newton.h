@@ -1,5 +1,5 @@
 #pragma once
-// Reference A: an implicit step solved to convergence.
+// The converged step: an implicit step solved to convergence.
 
 #include <memory>
 #include <optional>
@@ -43,16 +43,16 @@ class Newton {
     AlignedBuffer<Vec4> velocities_;
 };
 
-/// Reference A as a solver of the library's step, with the same wind, pins and time scheme as all others.
+/// The converged step as a solver of the library's step, with the same wind, pins and time scheme as all others.
 /// Large cloths approach the solution in single precision first, by the library's multilevel method with
 /// many passes: far from it, double precision is lost time. The largest stop there: a sheet of 64 x 64 is
-/// then less than a millimetre from A after 0.5 s, and after 1 s within what buckling leaves open.
+/// then less than a millimetre from convergence after 0.5 s, and after 1 s within what buckling leaves open.
 class ConvergedSolver final : public Solver {
   public:
     static constexpr double converged = 1e-8;                    ///< residual over the first residual
     static constexpr std::uint32_t largest_for_newton = 20'000;  ///< particles
 
-    ConvergedSolver(const ClothModel& model, const ClothSettings& settings, double tolerance = converged);
+    ConvergedSolver(const ClothModel& model, const ClothSettings& settings);
     SolveResult solve(const SolverStep& step) override;
     void inverse_mass_changed(std::uint32_t particle, std::span<const Vec4> positions) noexcept override;
     void inverse_masses_changed(std::span<const Vec4> positions) noexcept override;
@@ -62,7 +62,6 @@ class ConvergedSolver final : public Solver {
     /// Velocities near the solution; none for small cloths, and none if the multilevel method fails.
     [[nodiscard]] Flat approach(const SolverStep& step);
 
-    double tolerance_;
     std::unique_ptr<Newton> newton_;
     ClothSettings approach_settings_;
     std::unique_ptr<MultilevelSolver> approach_;

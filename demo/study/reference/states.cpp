@@ -8,14 +8,14 @@
 
 #include "demo/study/reference/fine_time.h"
 #include "demo/study/reference/newton.h"
-#include "demo/study/stability/cholesky.h"
 #include "engine/state_hash.h"
 
 namespace weft::study {
 
 namespace {
 
-constexpr std::uint64_t file_version = 2;  // raise it when the format or the references' results change
+constexpr int all_cores = 0;
+constexpr std::uint64_t file_version = 3;  // raise it when the format or the references' results change
 
 /// Hash of everything that the states depend on, and of the order of particles in them.
 std::uint64_t fingerprint(const StudyScene& scene, Reference reference, const std::vector<int>& frames) {
@@ -51,10 +51,6 @@ std::uint64_t fingerprint(const StudyScene& scene, Reference reference, const st
     hash.add(std::span<const std::uint32_t>(scene.pins));
     hash.add(std::span<const Vec4>(scene.start_positions));
     hash.add(std::span<const Vec4>(scene.start_velocities));
-    if (reference == Reference::elements) {
-        const std::array poisson{scene.cloth.finite_elements.poisson};
-        hash.add(std::span<const float>(poisson));
-    }
     if (mesh.rows == 0) hash.add(std::span<const std::uint32_t>(cook(mesh).value().vertex_to_particle));
     return hash.value();
 }
@@ -108,18 +104,12 @@ std::string name_of(Reference reference) {
     switch (reference) {
         case Reference::converged:
             return "converged";
-        case Reference::linearised:
-            return "linearised";
         case Reference::converged_bdf2:
             return "converged-bdf2";
         case Reference::fine_time:
-            return "fine-time";
-        case Reference::elements:
-            return "converged-elements";
-        case Reference::rough:
             break;
     }
-    return "rough";
+    return "fine-time";
 }
 
 double rms_distance(const Positions& a, const Positions& b) {
@@ -130,26 +120,15 @@ double rms_distance(const Positions& a, const Positions& b) {
 
 MethodPoint method_of(Reference reference) {
     MethodPoint point{name_of(reference), "Reference", "", {}, {}, false};
-    if (reference == Reference::elements) {
-        point.configure = [](ClothSettings& settings) {
-            settings.method = Multilevel{.passes = 60};
-            settings.finite_elements.enabled = true;
-        };
-        return point;
-    }
     point.configure = [=](ClothSettings& settings) {
         settings.method = Jacobi{};  // its solver is replaced
         settings.substeps = 1;
         settings.time_scheme =
             reference == Reference::converged_bdf2 ? TimeScheme::bdf2 : TimeScheme::backward_euler;
     };
-    point.make_solver = [=](const ClothModel& model,
-                            const ClothSettings& settings) -> std::unique_ptr<Solver> {
-        if (reference == Reference::linearised)
-            return std::make_unique<CholeskySolver>(model, settings, ExactSolve::usual_limit);
-        const bool is_rough = reference == Reference::rough;
-        return std::make_unique<ConvergedSolver>(model, settings,
-                                                 is_rough ? 1e-3 : ConvergedSolver::converged);
+    point.make_solver = [](const ClothModel& model,
+                           const ClothSettings& settings) -> std::unique_ptr<Solver> {
+        return std::make_unique<ConvergedSolver>(model, settings);
     };
     return point;
 }
@@ -164,11 +143,10 @@ States ReferenceStore::states(const StudyScene& scene, Reference reference, cons
     return states;
 }
 
-States ReferenceStore::compute(const StudyScene& scene, Reference reference,
-                               const std::vector<int>& frames) const {
+States ReferenceStore::compute(const StudyScene& scene, Reference reference, const std::vector<int>& frames) {
     States states;
     if (reference == Reference::fine_time) {
-        FineTime fine(scene, threads_);
+        FineTime fine(scene, all_cores);
         const int substeps = FineTime::safe_substeps(scene);
         for (int frame = 1; frame <= frames.back(); ++frame) {
             fine.step(substeps);
@@ -176,7 +154,7 @@ States ReferenceStore::compute(const StudyScene& scene, Reference reference,
         }
         return states;
     }
-    Run run(scene, method_of(reference), threads_);
+    Run run(scene, method_of(reference), all_cores);
     int unconverged = 0;
     float most_left = 0;
     for (int frame = 1; frame <= frames.back(); ++frame) {
@@ -186,8 +164,7 @@ States ReferenceStore::compute(const StudyScene& scene, Reference reference,
         most_left = std::max(most_left, left);
         if (std::ranges::find(frames, frame) != frames.end()) states[frame] = positions_of(run.cloth());
     }
-    const bool should_converge = reference == Reference::converged || reference == Reference::converged_bdf2;
-    if (should_converge && unconverged > 0)
+    if (unconverged > 0)
         std::fprintf(stderr, "weft_study: %s of %s: in %d of %d frames up to %.1e of the residual is left\n",
                      name_of(reference).c_str(), scene.name.c_str(), unconverged, frames.back(),
                      static_cast<double>(most_left));

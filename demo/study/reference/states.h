@@ -15,17 +15,12 @@ namespace weft::study {
 
 /// The references. Names of state files depend on these numbers: new ones go to the end.
 enum class Reference {
-    converged,       ///< A: backward Euler at the frame's step, solved to convergence
-    linearised,      ///< A1: its single linearisation about the base, solved exactly
-    converged_bdf2,  ///< as A, by BDF2
-    fine_time,       ///< B: tiny steps
-    rough,           ///< as A, to a thousandth of the residual: for states to step from
-    elements,        ///< as A, of finite elements, by many multilevel passes
+    converged,       ///< backward Euler at the frame's step, solved to convergence
+    converged_bdf2,  ///< the same by BDF2
+    fine_time,       ///< the truth: tiny steps
 };
-/// The references that trajectories are compared with.
-inline constexpr std::array all_references{Reference::converged, Reference::linearised,
-                                           Reference::converged_bdf2, Reference::fine_time,
-                                           Reference::elements};
+inline constexpr std::array all_references{Reference::converged, Reference::converged_bdf2,
+                                           Reference::fine_time};
 [[nodiscard]] std::string name_of(Reference reference);
 
 /// Positions by the number of frames since the start.
@@ -39,19 +34,18 @@ using States = std::map<int, Positions>;
 
 class ReferenceStore {
   public:
-    ReferenceStore(std::filesystem::path folder, int threads)
-        : folder_(std::move(folder)), threads_(threads) {}
+    explicit ReferenceStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     /// The states after each of `frames` (ascending), from the file of the scene's start and settings if
     /// there is one. Throws std::runtime_error where files cannot be written.
     [[nodiscard]] States states(const StudyScene& scene, Reference reference, const std::vector<int>& frames);
 
   private:
-    [[nodiscard]] States compute(const StudyScene& scene, Reference reference,
-                                 const std::vector<int>& frames) const;
+    /// Uses all cores: the bytes do not depend on their number.
+    [[nodiscard]] static States compute(const StudyScene& scene, Reference reference,
+                                        const std::vector<int>& frames);
 
     std::filesystem::path folder_;
-    int threads_;
 };
 
 }  // namespace weft::study

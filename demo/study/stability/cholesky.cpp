@@ -1,6 +1,6 @@
 #include "demo/study/stability/cholesky.h"
 
-#include <optional>
+#include <limits>
 #include <vector>
 
 namespace weft::study {
@@ -24,11 +24,10 @@ Eigen::Matrix3d block_of(const Vec4& spring) {
 
 }  // namespace
 
-CholeskySolver::CholeskySolver(const ClothModel& model, const ClothSettings& settings,
-                               std::uint32_t direct_up_to)
+CholeskySolver::CholeskySolver(const ClothModel& model, const ClothSettings& settings)
     : LinearSolver(model, settings),
       matrix_(model.particle_count, pairs_of(model)),
-      exact_solve_(model.particle_count, direct_up_to) {}
+      exact_solve_(model.particle_count, std::numeric_limits<std::uint32_t>::max()) {}
 
 bool CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& system, std::span<Vec4> dv) {
     const std::span<const Vec4> b = system.right_side().span();
@@ -36,10 +35,7 @@ bool CholeskySolver::solve_linear(const SolverStep& step, ImplicitSystem& system
     Eigen::VectorXd right_side(3 * static_cast<Eigen::Index>(b.size())), change;
     for (std::uint32_t i = 0; i < b.size(); ++i)
         right_side.segment<3>(3 * static_cast<Eigen::Index>(i)) = xyz(b[i]).cast<double>();
-    std::optional<MultigridCycle> cycle;
-    if (!exact_solve_.is_direct()) cycle.emplace(step.parallel, system, step.equation.positions);
-    exact_solve_.solve(
-        matrix_, right_side, 1e-10, [&](const auto& r, auto& z) { cycle->apply(r, z); }, change);
+    exact_solve_.solve(matrix_, right_side, 0, {}, change);
     for (std::uint32_t i = 0; i < b.size(); ++i) {
         const Eigen::Vector3d change_i = change.segment<3>(3 * static_cast<Eigen::Index>(i));
         dv[i] = to_vec4(change_i.cast<float>(), 0);

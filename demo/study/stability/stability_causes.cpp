@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "demo/study/machine.h"
 #include "demo/study/stability/stability_points.h"
 #include "demo/study/stability/stability_verdict.h"
 #include "demo/study/stability/stiffest_modes.h"
@@ -155,7 +156,8 @@ void write_causes(const CsvTable& table, const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / "stability-causes.txt";
     std::ofstream out(file);
     out << "Cells of the stability maps by method, and why those fail that do.\n"
-           "Per start: stable / bounded but wrong / diverged / not a number.\n";
+           "Per start: stable / bounded but wrong / diverged / not a number.\n"
+        << origin_of(table, "stability") << '\n';
     std::vector<std::string> methods;
     for (const CsvRow& row : table.rows)
         if (std::ranges::find(methods, row.at("method")) == methods.end())

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "demo/study/charts/canvas.h"
+#include "demo/study/machine.h"
 #include "demo/study/stability/stability_cell.h"
 
 namespace weft::study {
@@ -57,9 +58,9 @@ std::string letters(const std::string& broken) {
 }
 
 /// All maps of one start.
-class Picture {
+class StartMaps {
   public:
-    Picture(const Rows& rows, const std::string& start)
+    StartMaps(const Rows& rows, const std::string& start)
         : rows_(rows),
           methods_(values(rows, "method")),
           hz_(ticks(rows, "hz")),
@@ -73,7 +74,9 @@ class Picture {
         write_legend(start);
     }
 
-    void draw(const std::filesystem::path& stem) const { canvas_.draw(stem); }
+    void draw(const std::filesystem::path& stem, const std::string& footer) const {
+        canvas_.draw(stem, footer);
+    }
 
   private:
     using Align = Canvas::Align;
@@ -184,7 +187,7 @@ void draw_stability(const CsvTable& table, const std::filesystem::path& folder) 
     std::filesystem::create_directories(folder);
     for (const std::string& start : values(all, "start")) {
         const Rows rows = rows_with(all, "start", start);
-        Picture(rows, start).draw(folder / ("stability-" + start));
+        StartMaps(rows, start).draw(folder / ("stability-" + start), origin_of(table, "stability"));
     }
 }
 

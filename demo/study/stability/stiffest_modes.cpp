@@ -67,13 +67,6 @@ class FlatSystem {
     std::unique_ptr<ImplicitSystem> system_;
 };
 
-/// Chebyshev's polynomial of degree n, anywhere on the real line.
-double chebyshev_polynomial(int n, double x) {
-    if (std::abs(x) <= 1) return std::cos(n * std::acos(x));
-    const double magnitude = std::cosh(n * std::acosh(std::abs(x)));
-    return x < 0 && n % 2 == 1 ? -magnitude : magnitude;
-}
-
 }  // namespace
 
 // The eigenvalue is that of M^-1 K: with gamma = 1 and no damping W = M + K.
@@ -97,12 +90,6 @@ double largest_relaxed(const StudyScene& scene) {
 
 double left_by_jacobi(int iterations, double lambda) {
     return std::pow(1 - lambda, iterations + 1);
-}
-
-double left_by_chebyshev(int iterations, double least, double largest, double lambda) {
-    const double centre = (least + largest) / 2, half_width = (largest - least) / 2;
-    return chebyshev_polynomial(iterations + 1, (centre - lambda) / half_width) /
-           chebyshev_polynomial(iterations + 1, centre / half_width);
 }
 
 }  // namespace weft::study

@@ -14,8 +14,6 @@ namespace weft::study {
 /// Share of an error that k Jacobi iterations leave in a mode of D^-1 W with eigenvalue lambda (Kang's first
 /// guess is the first of k + 1): (1 - lambda)^(k + 1).
 [[nodiscard]] double left_by_jacobi(int iterations, double lambda);
-/// The same share for Chebyshev iterations on an interval.
-[[nodiscard]] double left_by_chebyshev(int iterations, double least, double largest, double lambda);
 /// Backward Euler amplifies a stiff mode if each solve leaves this share p of its error, or less: x += h v,
 /// v += (1 - p)(-v - x / h) has the amplification p - sqrt(p (p - 1)) < -1.
 inline constexpr double feeding_part = -1.0 / 3;
