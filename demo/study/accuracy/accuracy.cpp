@@ -106,7 +106,7 @@ class Accuracy {
         std::map<Reference, States> references;
         progress_.begin(title(part) + " references");
         for (const Reference reference : all_references) {
-            if (reference != Reference::fine_time || part.scene.mesh.positions.size() <= fine_time_limit_)
+            if (!is_truth(reference) || part.scene.mesh.positions.size() <= fine_time_limit_)
                 references[reference] = store_.states(part.scene, reference, compared_frames);
         }
         for (const auto& [reference, states] : references)

@@ -36,7 +36,8 @@ void draw_budget(const CsvTable& table, const std::filesystem::path& folder) {
              << '\n'
              << "set xlabel " << quoted("a step, mean and 99th percentile [ms of the processor]") << '\n'
              << "set ylabel " << quoted("as seen, off the cloth as it is set, rms [mrad]") << '\n'
-             << "set yrange [-2:*]\nset xrange [0:*]\nset offsets graph 0, graph 0.12, graph 0.05, 0\nset grid\nset key top right\n";
+             << "set yrange [-2:*]\nset xrange [0:*]\nset offsets graph 0, graph 0.12, graph 0.05, 0\nset "
+                "grid\nset key top right\n";
     std::string plot = "plot ";
     for (const auto& [block, colour, title, up] :
          {std::tuple("$fixed", "#7f7f7f", "one setting for all", "-0.7"),

@@ -72,8 +72,8 @@ void draw_contact(const CsvTable& table, const std::filesystem::path& folder) {
     const auto share = [&](int pixels) { return 1 - static_cast<double>(pixels) / height; };
     settings << "set yrange [" << static_cast<double>(scenes.size()) - 0.5 << ":-0.5]\nset grid\n"
              << "set logscale x\nset tmargin at screen " << share(84) << "\nset key at screen 0.5, screen "
-             << share(30) << " center top horizontal\nset label 1 " << quoted(contact_title) << " at screen 0.012, screen "
-             << share(16) << " font ',13' noenhanced\nset ytics (";
+             << share(30) << " center top horizontal\nset label 1 " << quoted(contact_title)
+             << " at screen 0.012, screen " << share(16) << " font ',13' noenhanced\nset ytics (";
     for (std::size_t i = 0; i < scenes.size(); ++i)
         settings << (i > 0 ? ", " : "") << quoted(scenes[i]) << ' ' << i;
     settings << ")\n";

@@ -54,9 +54,10 @@ Lines lines_of(const CsvTable& table) {
 void draw_physics(const CsvTable& table, const std::filesystem::path& folder) {
     const Lines lines = lines_of(table);
     std::ostringstream settings, plot;
-    settings << "set title 'Error of what is measured beside what is known'\nset logscale x\nset xrange [" << 0.8 * least_shown << ":"
-             << 1.2 * most_shown << "]\nset yrange [" << static_cast<double>(lines.titles.size()) - 0.5
-             << ":-0.5]\nset xlabel " << quoted("error [%], at least 0.1; larger marks are finer meshes")
+    settings << "set title 'Error of what is measured beside what is known'\nset logscale x\nset xrange ["
+             << 0.8 * least_shown << ":" << 1.2 * most_shown << "]\nset yrange ["
+             << static_cast<double>(lines.titles.size()) - 0.5 << ":-0.5]\nset xlabel "
+             << quoted("error [%], at least 0.1; larger marks are finer meshes")
              << "\nset grid\nset key outside top center horizontal\nset ytics (";
     for (std::size_t i = 0; i < lines.titles.size(); ++i)
         settings << (i > 0 ? ", " : "") << quoted(lines.titles[i]) << ' ' << i;

@@ -43,10 +43,11 @@ class Newton {
     AlignedBuffer<Vec4> velocities_;
 };
 
-/// The converged step as a solver of the library's step, with the same wind, pins and time scheme as all others.
-/// Large cloths approach the solution in single precision first, by the library's multilevel method with
-/// many passes: far from it, double precision is lost time. The largest stop there: a sheet of 64 x 64 is
-/// then less than a millimetre from convergence after 0.5 s, and after 1 s within what buckling leaves open.
+/// The converged step as a solver of the library's step, with the same wind, pins and time scheme as all
+/// others. Large cloths approach the solution in single precision first, by the library's multilevel method
+/// with many passes: far from it, double precision is lost time. The largest stop there: a sheet of 64 x 64
+/// is then less than a millimetre from convergence after 0.5 s, and after 1 s within what buckling leaves
+/// open.
 class ConvergedSolver final : public Solver {
   public:
     static constexpr double converged = 1e-8;                    ///< residual over the first residual

@@ -18,9 +18,14 @@ enum class Reference {
     converged,       ///< backward Euler at the frame's step, solved to convergence
     converged_bdf2,  ///< the same by BDF2
     fine_time,       ///< the truth: tiny steps
+    moved_start,     ///< the truth from a start that is a micrometre off: what the scene leaves open
 };
 inline constexpr std::array all_references{Reference::converged, Reference::converged_bdf2,
-                                           Reference::fine_time};
+                                           Reference::fine_time, Reference::moved_start};
+/// The references that a time step of the library has no part in.
+[[nodiscard]] inline bool is_truth(Reference reference) {
+    return reference == Reference::fine_time || reference == Reference::moved_start;
+}
 [[nodiscard]] std::string name_of(Reference reference);
 
 /// Positions by the number of frames since the start.
@@ -29,7 +34,7 @@ using States = std::map<int, Positions>;
 /// Root mean square of the distances between particles [m].
 [[nodiscard]] double rms_distance(const Positions& a, const Positions& b);
 
-/// The method of a reference that the library's step runs: all but fine_time.
+/// The method of a reference, which the library's step runs unless it is_truth().
 [[nodiscard]] MethodPoint method_of(Reference reference);
 
 class ReferenceStore {
