@@ -5,6 +5,7 @@
 
 #include "demo/headless/progress.h"
 #include "demo/options/method_table.h"
+#include "demo/study/crossings/crossings.h"
 
 namespace weft::demo {
 namespace {
@@ -30,6 +31,13 @@ void warm_up(const ProfileOptions& options, Simulation& simulation) {
     for (int frame = 0; frame < options.warm_up; ++frame) simulation.step(frame_seconds);
 }
 
+std::uint64_t crossings_in(Simulation& simulation) {
+    study::TriangleSoup soup;
+    for (const SceneCloth& cloth : simulation.content().cloths)
+        if (const auto view = simulation.world().cloth(cloth.id)) soup.add(*view);
+    return study::count_crossings(soup).all;
+}
+
 Measured describe(const ProfileOptions& options, Simulation& simulation) {
     const World& world = simulation.world();
     Measured measured{.scene = simulation.entry().name,
@@ -40,7 +48,8 @@ Measured describe(const ProfileOptions& options, Simulation& simulation) {
                       .substeps = world.report().substeps,
                       .frames = options.frames,
                       .bytes = 0,
-                      .hash = world.state_hash()};
+                      .hash = world.state_hash(),
+                      .worst_crossings = 0};
     if (measured.threads == 0) measured.threads = static_cast<int>(std::thread::hardware_concurrency());
     const std::vector<SceneCloth>& cloths = simulation.content().cloths;
     for (const SceneCloth& cloth : cloths)
@@ -70,16 +79,20 @@ Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& 
     if (!simulation) return simulation.error();
     warm_up(options, *simulation);
     Progress progress(simulation->entry().name, options.frames);
+    std::uint64_t worst_crossings = 0;
     for (int frame = 1; frame <= options.frames; ++frame) {
         const auto before = counters.read();
         simulation->step(frame_seconds);
         const auto after = counters.read();
         if (before && after) (counts ? *counts : counts.emplace()) += *after - *before;
         table.add(simulation->world().profile());
+        if (options.crossings) worst_crossings = std::max(worst_crossings, crossings_in(*simulation));
         progress.update(frame);
     }
     table.end_run();
-    return describe(options, *simulation);
+    Measured measured = describe(options, *simulation);
+    measured.worst_crossings = worst_crossings;
+    return measured;
 }
 
 Result<void> trace(const ProfileOptions& options) {

@@ -17,6 +17,8 @@ std::variant<ProfileOptions, EarlyExit> parse_profile_options(int argc, const ch
         ->check(CLI::Range(0, 1'000'000));
     app.add_option("--repeat", options.repeat, "Runs; of each figure the least is shown (default: 1)")
         ->check(CLI::Range(1, 1000));
+    app.add_flag("--crossings", options.crossings,
+                 "Count the pairs of triangles that cross after each frame, outside the times");
     app.add_option("--csv", options.csv, "Write the table, a row for each stage")->type_name("FILE.csv");
     app.add_option("--trace", options.trace,
                    "Write a timeline of the threads over another 60 frames, for Perfetto or chrome://tracing")

@@ -17,8 +17,9 @@ struct Measured {
     int cloths = 0;
     std::uint32_t particles = 0;  ///< of all cloths
     int threads = 0, substeps = 0, frames = 0;
-    std::uint64_t bytes = 0;  ///< of all cloths
-    std::uint64_t hash = 0;   ///< of the state after the last frame
+    std::uint64_t bytes = 0;            ///< of all cloths
+    std::uint64_t hash = 0;             ///< of the state after the last frame
+    std::uint64_t worst_crossings = 0;  ///< after any frame; 0 unless they are counted
 };
 
 class StageTable {
