@@ -58,7 +58,7 @@ void describe_physics(CLI::App& command, StudyOptions& options) {
 
 void describe_contact(CLI::App& command, StudyOptions& options) {
     describe_table(command, options);
-    command.add_option("--threads", options.threads, "Threads of the simulation (default: one per core)")
+    command.add_option("--threads", options.threads, "Threads of --searches; a scene has one (default: 1)")
         ->check(CLI::Range(1, 256));
     command
         .add_option("--only", options.only,

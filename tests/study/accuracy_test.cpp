@@ -75,7 +75,7 @@ TEST(Accuracy, ConvergedStepsAreTheirOwnReferences) {
     ReferenceStore store(folder.path());
     std::map<Reference, States> references;
     for (const Reference reference : all_references)
-        references[reference] = store.states(scene, reference, compared_frames);
+        references[reference] = store.states(scene, reference, compared_frames(scene));
     for (const Reference reference : {Reference::converged, Reference::converged_bdf2}) {
         const CsvRow row = measure_trajectory(scene, method_of(reference), references, 1).row;
         for (const char* const moment : {"_0.5s_mm", "_1s_mm"}) {
@@ -91,7 +91,7 @@ TEST(Accuracy, BulletsClothNearsTheTruthWithItsIterations) {
     const StudyScene scene = hung_sheet(8, false);
     std::map<Reference, States> truth;
     truth[Reference::fine_time] =
-        ReferenceStore(folder.path()).states(scene, Reference::fine_time, compared_frames);
+        ReferenceStore(folder.path()).states(scene, Reference::fine_time, compared_frames(scene));
     std::vector<double> distances;
     for (const MethodPoint& point : only_named(method_points(Coverage::all, scene), "bullet")) {
         const CsvRow row = measure_trajectory(scene, point, truth, 1).row;

@@ -162,7 +162,7 @@ TEST(LeastGap, OfFoldedClothIsThatOfAllPairs) {
 
 TEST(ContactResult, TellsWhatPassedThrough) {
     const ContactScene scene = scene_named("cross-strips on edge");
-    const ContactResult result = measure_contact(scene, SelfCollisionMethod::off, 1, 1);
+    const ContactResult result = measure_contact(scene, SelfCollisionMethod::off, 1);
     EXPECT_GT(result.crossings_peak, 0u);
     EXPECT_EQ(result.crossings_final, 0u) << "it fell through, and on";
     EXPECT_EQ(result.layers, 2u);

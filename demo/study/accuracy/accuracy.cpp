@@ -107,7 +107,7 @@ class Accuracy {
         progress_.begin(title(part) + " references");
         for (const Reference reference : all_references) {
             if (!is_truth(reference) || part.scene.mesh.positions.size() <= fine_time_limit_)
-                references[reference] = store_.states(part.scene, reference, compared_frames);
+                references[reference] = store_.states(part.scene, reference, compared_frames(part.scene));
         }
         for (const auto& [reference, states] : references)
             table_.replace(compare_reference(part.scene, reference, references, threads_), accuracy_keys());

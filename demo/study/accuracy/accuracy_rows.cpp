@@ -12,17 +12,19 @@ namespace weft::study {
 
 namespace {
 
+constexpr int half_second = 30, second = 60;  // in frames
+
 std::string error_column(const std::string& from, int frame) {
-    return from + (frame == compared_frames.front() ? "_0.5s_mm" : "_1s_mm");
+    return from + (frame == half_second ? "_0.5s_mm" : "_1s_mm");
 }
 
 void put_errors(CsvRow& row, const std::string& from, const States& states, const States& reference) {
-    for (const int frame : compared_frames)
-        row[error_column(from, frame)] = number(1000 * rms_distance(states.at(frame), reference.at(frame)));
+    for (const auto& [frame, positions] : states)
+        row[error_column(from, frame)] = number(1000 * rms_distance(positions, reference.at(frame)));
 }
 
 void put_stretch(CsvRow& row, const ClothModel& model, const States& states) {
-    const Stretch stretch = structural_stretch(model, states.at(compared_frames.back()));
+    const Stretch stretch = structural_stretch(model, states.rbegin()->second);
     row["worst_stretch_percent"] = number(100 * (stretch.worst - 1));
     row["mean_stretch_percent"] = number(100 * (stretch.mean - 1));
 }
@@ -37,12 +39,16 @@ std::optional<Reference> own_reference(const Cloth& cloth) {
 
 }  // namespace
 
+std::vector<int> compared_frames(const StudyScene& scene) {
+    return scene.per_side > 0 ? std::vector{half_second, second} : std::vector{half_second};
+}
+
 std::vector<std::string> accuracy_columns() {
     std::vector<std::string> columns{"machine", "commit",  "scene",  "n",         "particles",
                                      "kappa",   "threads", "method", "label",     "setting",
                                      "default", "status",  "frames", "median_ms", "p99_ms"};
     for (const char* const from : {"truth", "own"})
-        for (const int frame : compared_frames) columns.push_back(error_column(from, frame));
+        for (const int frame : {half_second, second}) columns.push_back(error_column(from, frame));
     for (const char* const column : {"worst_stretch_percent", "mean_stretch_percent"})
         columns.emplace_back(column);
     return columns;
@@ -79,12 +85,13 @@ Measured measure_trajectory(const StudyScene& scene, const MethodPoint& point,
     bool lost = false;          // not finite, or so fast that the world's speed limit held it
     States states;
     Measured measured;
-    for (int frame = 1; frame <= compared_frames.back(); ++frame) {
+    const std::vector<int> compared = compared_frames(scene);
+    for (int frame = 1; frame <= compared.back(); ++frame) {
         const double milliseconds = peer ? peer->step(scene.frame) : run.step();
         if (frame > warm_up) measured.milliseconds.push_back(milliseconds);
         lost = lost || has(run.report().flags, StepFlags::state_restored) ||
                has(run.report().flags, StepFlags::speed_limited);
-        if (std::ranges::find(compared_frames, frame) != compared_frames.end())
+        if (std::ranges::find(compared, frame) != compared.end())
             states[frame] = peer ? peer->positions() : positions_of(run.cloth());
     }
 

@@ -1,9 +1,9 @@
 // weft_study contact: crossing triangles in scenes where cloth collides with cloth, by every method of
 // self-collision.
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 
 #include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
@@ -16,9 +16,15 @@ namespace weft::study {
 
 namespace {
 
-struct Item {
-    SceneMaker maker;
+struct Rung {
     SelfCollisionMethod method;
+    CsvRow key;
+};
+
+/// A scene and the rungs that the table lacks.
+struct ContactPart {
+    SceneMaker maker;
+    std::vector<Rung> rungs;
     double cost;
 };
 
@@ -29,53 +35,73 @@ double cost_of(const ContactScene& scene) {
     return static_cast<double>(particles) * scene.seconds;
 }
 
-std::vector<Item> chosen(const StudyOptions& options, std::uint32_t particles) {
-    std::vector<Item> items;
+/// What is measured of every scene.
+struct Extent {
+    std::uint32_t particles;  ///< about; 0: the scene's own number
+    int every;                ///< a state of so many is looked at
+};
+
+std::vector<ContactPart> contact_parts(const StudyOptions& options, const Extent& extent,
+                                       const CsvWriter& table) {
+    std::vector<ContactPart> parts;
     for (const SceneMaker& maker : all_contact_scenes()) {
         if (options.quick && !maker.quick) continue;
         if (maker.needs_garments && std::getenv("WEFT_DATA") == nullptr) {
             std::fprintf(stderr, "%s is left out: WEFT_DATA is not set\n", maker.name.c_str());
             continue;
         }
+        ContactPart part{maker, {}, 0};
         for (const SelfCollisionMethod method : self_collision_methods) {
             const std::string whole = maker.name + ", " + name_of(method);
-            if (whole.find(options.only) != std::string::npos)
-                items.push_back({maker, method, cost_of(maker.make(particles))});
+            CsvRow key = contact_key(maker.name, method, extent.particles, extent.every);
+            if (whole.find(options.only) != std::string::npos && table.find(key, contact_keys()) == nullptr)
+                part.rungs.push_back({method, std::move(key)});
         }
+        if (part.rungs.empty()) continue;
+        part.cost = cost_of(maker.make(extent.particles));
+        parts.push_back(std::move(part));
     }
-    return items;
+    return parts;
+}
+
+/// Runs the scene by its rungs at once, each on one thread. Its time is that thread's on the processor.
+std::vector<CsvRow> contact_rows(const ContactPart& part, const Extent& extent) {
+    std::vector<std::future<CsvRow>> running;
+    for (const Rung& rung : part.rungs) {
+        running.push_back(std::async(std::launch::async, [&] {
+            return contact_row(rung.key,
+                               measure_contact(part.maker.make(extent.particles), rung.method, extent.every));
+        }));
+    }
+    std::vector<CsvRow> rows;
+    for (std::future<CsvRow>& row : running) rows.push_back(row.get());
+    return rows;
 }
 
 }  // namespace
 
 int run_contact(const StudyOptions& options) {
     if (options.searches) return run_searches(options);
-    const std::uint32_t particles =
-        options.particles > 0 || !options.quick ? options.particles : quick_contact_particles;
-    const int every = options.quick ? 4 : 1;
-    const std::vector<Item> items = chosen(options, particles);
-    if (items.empty()) {
+    const bool is_small = options.quick && options.particles == 0;
+    const Extent extent{is_small ? quick_contact_particles : options.particles, options.quick ? 4 : 1};
+    CsvWriter table(options.csv, contact_columns(), options.resume);
+    const std::vector<ContactPart> parts = contact_parts(options, extent, table);
+    if (parts.empty() && !options.resume) {
         std::fprintf(stderr, "weft_study: no scene of contact has \"%s\" in its name\n",
                      options.only.c_str());
         return 1;
     }
-    CsvWriter table(options.csv, contact_columns(), options.resume);
     double total = 0;
-    for (const Item& item : items) total += item.cost;
-    StudyProgress progress(items.size(), total);
-    for (const auto& [maker, method, cost] : items) {
-        CsvRow key = contact_key(maker.name, method, particles, every);
-        if (table.find(key, contact_keys()) != nullptr) {
-            progress.skip(cost);
-            continue;
+    for (const ContactPart& part : parts) total += part.cost;
+    StudyProgress progress(parts.size(), total);
+    for (const ContactPart& part : parts) {
+        progress.begin(part.maker.name);
+        for (CsvRow& row : contact_rows(part, extent)) {
+            row["machine"] = machine_name();
+            row["commit"] = commit_name();
+            table.append(row);
         }
-        progress.begin(maker.name + ", " + name_of(method));
-        CsvRow row = contact_row(
-            key, measure_contact(maker.make(particles), method, thread_count(options.threads), every));
-        row["machine"] = machine_name();
-        row["commit"] = commit_name();
-        table.append(row);
-        progress.end(cost);
+        progress.end(part.cost);
     }
     std::fputs(contact_markdown(read_csv(options.csv)).c_str(), stdout);
     return 0;

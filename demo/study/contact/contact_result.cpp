@@ -95,8 +95,8 @@ class Judge {
 
 }  // namespace
 
-ContactResult measure_contact(const ContactScene& scene, SelfCollisionMethod method, int threads, int every) {
-    ContactRun run(scene, method, threads);
+ContactResult measure_contact(const ContactScene& scene, SelfCollisionMethod method, int every) {
+    ContactRun run(scene, method);
     Judge judge(run);
     for (int frame = 1; !run.over(); ++frame) {
         judge.count_step(run.step());

@@ -30,7 +30,6 @@ struct ContactResult {
 };
 
 /// Runs a scene. Crossings, gap, stretch and depth are measured at every `every`th frame and at the last.
-[[nodiscard]] ContactResult measure_contact(const ContactScene& scene, SelfCollisionMethod method,
-                                            int threads, int every);
+[[nodiscard]] ContactResult measure_contact(const ContactScene& scene, SelfCollisionMethod method, int every);
 
 }  // namespace weft::study

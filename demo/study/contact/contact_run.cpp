@@ -1,8 +1,8 @@
 #include "demo/study/contact/contact_run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include "demo/study/must.h"
@@ -11,9 +11,16 @@ namespace weft::study {
 
 namespace {
 
-WorldSettings with_threads(WorldSettings settings, int threads) {
-    settings.threads = threads;
+WorldSettings on_one_thread(WorldSettings settings) {
+    settings.threads = 1;
     return settings;
+}
+
+/// Time that this thread has had on the processor [s].
+double thread_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace
@@ -36,8 +43,8 @@ class ContactRun::Handles final : public SceneHandles {
     ContactRun& run_;
 };
 
-ContactRun::ContactRun(ContactScene scene, SelfCollisionMethod method, int threads)
-    : scene_(std::move(scene)), world_(must(World::create(with_threads(scene_.world, threads)))) {
+ContactRun::ContactRun(ContactScene scene, SelfCollisionMethod method)
+    : scene_(std::move(scene)), world_(must(World::create(on_one_thread(scene_.world)))) {
     for (PlacedCloth& cloth : scene_.cloths) {
         demo::set_method(cloth.settings.self_collision, method);
         cloths_.push_back(must(world_.add_cloth(cloth.mesh, cloth.settings)));
@@ -48,13 +55,12 @@ ContactRun::ContactRun(ContactScene scene, SelfCollisionMethod method, int threa
 }
 
 double ContactRun::step() {
-    using Clock = std::chrono::steady_clock;
     ++steps_;
     targets_.clear();
     if (scene_.move) scene_.move(Handles(*this), time());
-    const auto begun = Clock::now();
+    const double begun = thread_seconds();
     world_.step(static_cast<float>(ContactScene::step()));
-    return std::chrono::duration<double>(Clock::now() - begun).count();
+    return thread_seconds() - begun;
 }
 
 std::uint32_t ContactRun::particles() const {

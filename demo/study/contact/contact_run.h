@@ -10,10 +10,10 @@ namespace weft::study {
 
 class ContactRun {
   public:
-    /// Throws std::runtime_error where a World refuses the scene. `threads` 0: one per core.
-    ContactRun(ContactScene scene, SelfCollisionMethod method, int threads = 1);
+    /// A World of one thread. Throws std::runtime_error where it refuses the scene.
+    ContactRun(ContactScene scene, SelfCollisionMethod method);
 
-    /// Takes one step of ContactScene::step(); returns the time of World::step [s].
+    /// Takes one step of ContactScene::step(); returns World::step's time on the processor [s].
     double step();
     [[nodiscard]] double time() const { return static_cast<double>(steps_) * ContactScene::step(); }
     [[nodiscard]] bool over() const { return time() > scene_.seconds - ContactScene::step() / 2; }
