@@ -33,6 +33,17 @@ TEST_F(ProfileProgram, RunsTheSameStepsOnAnyThreadsAndAgain) {
     EXPECT_NE(hash_of(run("--particles 400 --cloths 3 --frames 5 --threads 2")), once);
 }
 
+TEST_F(ProfileProgram, CountsCrossings) {
+    const std::string scene = "--scene crossed --particles 300 --frames 2 --warm-up 0 ";
+    const std::string sentence = " pairs of triangles cross at the worst\n";
+    EXPECT_EQ(run(scene).out.find(sentence), std::string::npos) << "it was not asked to";
+    const std::string crossed = run(scene + "--contact off --crossings").out;
+    ASSERT_NE(crossed.find(sentence), std::string::npos) << crossed;
+    EXPECT_EQ(crossed.find("\n0" + sentence), std::string::npos) << "the sheets start through each other";
+    const std::string flag = run("--scene flag --particles 300 --frames 2 --crossings").out;
+    EXPECT_NE(flag.find("\n0" + sentence), std::string::npos) << flag;
+}
+
 TEST_F(ProfileProgram, RefusesWhatIsNotThere) {
     expect_refusal(run("--scene atlantis"), "atlantis");
     expect_refusal(run("--scene garment"), "--garment");

@@ -85,6 +85,27 @@ TEST(Accuracy, ConvergedStepsAreTheirOwnReferences) {
     }
 }
 
+// The air's force is not linear, and passes take it anew: so must the step that they converge to.
+TEST(Accuracy, PassesConvergeToTheConvergedStepInWind) {
+    const StudyFolder folder;
+    const StudyScene scene = hung_sheet(10, true);
+    ReferenceStore store(folder.path());
+    std::map<Reference, States> references;
+    references[Reference::converged_bdf2] =
+        store.states(scene, Reference::converged_bdf2, compared_frames(scene));
+    const auto distance_of = [&](int passes) {
+        MethodPoint point;
+        point.configure = [=](ClothSettings& settings) {
+            settings.method = Multilevel{.passes = passes};
+            settings.time_scheme = TimeScheme::bdf2;
+        };
+        const CsvRow row = measure_trajectory(scene, point, references, 1).row;
+        return parse_number(row.at("own_0.5s_mm")).value();
+    };
+    EXPECT_LT(distance_of(30), 0.2 * distance_of(1));
+    EXPECT_LT(distance_of(30), 0.5) << "mm";
+}
+
 #ifdef WEFT_WITH_BULLET
 TEST(Accuracy, BulletsClothNearsTheTruthWithItsIterations) {
     const StudyFolder folder;

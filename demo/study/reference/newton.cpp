@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace weft::study {
 
@@ -126,24 +127,34 @@ Flat ConvergedSolver::approach(const SolverStep& step) {
                                                  .model = step.model,
                                                  .settings = approach_settings_,
                                                  .equation = step.equation,
+                                                 .air = step.air,
                                                  .velocities = step.velocities});
     return result.ok ? flat(step.velocities) : Flat();
 }
 
+// The functional's air is linear. It is taken anew at each solution, until that no longer changes.
 SolveResult ConvergedSolver::solve(const SolverStep& step) {
-    const StepFunctional functional(step.model, step.equation);
-    const Flat nearby = approach(step);
-    if (step.model.particle_count > largest_for_newton && nearby.size() > 0)
-        return {.residual = static_cast<float>(functional.residual(nearby).norm() /
-                                               functional.residual(functional.start()).norm())};
-    if (!newton_) newton_ = std::make_unique<Newton>(step, functional);
-    const NewtonResult result = newton_->minimise(step, functional, converged, nearby);
-    for (std::uint32_t i = 0; i < functional.particles(); ++i) {
-        const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
-        step.velocities[i] = to_vec4(result.velocities.segment<3>(at).cast<float>(), 0);
+    constexpr int most_rounds = 30;
+    Flat solution = approach(step);
+    double left = 0;
+    for (int round = 0; round < most_rounds; ++round) {
+        if (solution.size() > 0) step.air.linearise(step.parallel, step.velocities);
+        const StepFunctional functional(step.model, step.equation);
+        if (step.model.particle_count > largest_for_newton && solution.size() > 0)
+            return {.residual = static_cast<float>(functional.residual(solution).norm() /
+                                                   functional.residual(functional.start()).norm())};
+        if (!newton_) newton_ = std::make_unique<Newton>(step, functional);
+        const NewtonResult result = newton_->minimise(step, functional, converged, solution);
+        left = *std::ranges::min_element(result.residuals) / result.residuals.front();
+        const Flat before = std::exchange(solution, result.velocities);
+        for (std::uint32_t i = 0; i < functional.particles(); ++i) {
+            const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
+            step.velocities[i] = to_vec4(solution.segment<3>(at).cast<float>(), 0);
+        }
+        if (step.air.surface == nullptr) break;
+        if (before.size() > 0 && (solution - before).norm() <= air_tolerance * solution.norm()) break;
     }
-    return {.residual =
-                static_cast<float>(*std::ranges::min_element(result.residuals) / result.residuals.front())};
+    return {.residual = static_cast<float>(left)};
 }
 
 }  // namespace weft::study

@@ -51,6 +51,7 @@ class Newton {
 class ConvergedSolver final : public Solver {
   public:
     static constexpr double converged = 1e-8;                    ///< residual over the first residual
+    static constexpr double air_tolerance = 1e-6;                ///< change of velocities over themselves
     static constexpr std::uint32_t largest_for_newton = 20'000;  ///< particles
 
     ConvergedSolver(const ClothModel& model, const ClothSettings& settings);
