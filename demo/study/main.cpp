@@ -75,7 +75,7 @@ void describe_contact(CLI::App& command, StudyOptions& options) {
 void describe_all(CLI::App& command, AllOptions& options) {
     command.add_option("--out", options.out, "Folder for tables and charts (default: charts)")
         ->type_name("DIR");
-    command.add_flag("--quick", options.quick, "Some 5 minutes: smaller sheets, fewer settings");
+    command.add_flag("--quick", options.quick, "Some 3 minutes: smaller sheets, fewer settings");
     command.add_flag("--resume", options.resume, "Keep the rows of the folder's tables");
 }
 
