@@ -1,6 +1,7 @@
 #include "demo/profile/measurement.h"
 
 #include <algorithm>
+#include <ctime>
 #include <thread>
 
 #include "demo/headless/progress.h"
@@ -49,7 +50,8 @@ Measured describe(const ProfileOptions& options, Simulation& simulation) {
                       .frames = options.frames,
                       .bytes = 0,
                       .hash = world.state_hash(),
-                      .worst_crossings = 0};
+                      .worst_crossings = 0,
+                      .processor_ms = 0};
     if (measured.threads == 0) measured.threads = static_cast<int>(std::thread::hardware_concurrency());
     const std::vector<SceneCloth>& cloths = simulation.content().cloths;
     for (const SceneCloth& cloth : cloths)
@@ -80,9 +82,12 @@ Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& 
     warm_up(options, *simulation);
     Progress progress(simulation->entry().name, options.frames);
     std::uint64_t worst_crossings = 0;
+    std::clock_t processor_time = 0;
     for (int frame = 1; frame <= options.frames; ++frame) {
         const auto before = counters.read();
+        const std::clock_t start = std::clock();
         simulation->step(frame_seconds);
+        processor_time += std::clock() - start;
         const auto after = counters.read();
         if (before && after) (counts ? *counts : counts.emplace()) += *after - *before;
         table.add(simulation->world().profile());
@@ -92,6 +97,8 @@ Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& 
     table.end_run();
     Measured measured = describe(options, *simulation);
     measured.worst_crossings = worst_crossings;
+    measured.processor_ms =
+        1e3 * static_cast<double>(processor_time) / (static_cast<double>(CLOCKS_PER_SEC) * options.frames);
     return measured;
 }
 

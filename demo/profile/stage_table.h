@@ -20,6 +20,7 @@ struct Measured {
     std::uint64_t bytes = 0;            ///< of all cloths
     std::uint64_t hash = 0;             ///< of the state after the last frame
     std::uint64_t worst_crossings = 0;  ///< after any frame; 0 unless they are counted
+    double processor_ms = 0;            ///< mean of a frame, all threads together
 };
 
 class StageTable {
