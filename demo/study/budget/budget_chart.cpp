@@ -36,17 +36,17 @@ void draw_budget(const CsvTable& table, const std::filesystem::path& folder) {
              << '\n'
              << "set xlabel " << quoted("a step, mean and 99th percentile [ms of the processor]") << '\n'
              << "set ylabel " << quoted("as seen, off the cloth as it is set, rms [mrad]") << '\n'
-             << "set yrange [-2:*]\nset xrange [0:*]\nset offsets graph 0, graph 0.12, graph 0.05, 0\nset "
+             << "set yrange [-4:*]\nset xrange [0:*]\nset offsets graph 0, graph 0.12, graph 0.05, 0\nset "
                 "grid\nset key top right\n";
     std::string plot = "plot ";
     for (const auto& [block, colour, title, label] :
-         {std::tuple("$fixed", "#7f7f7f", "one setting for all", "left offset 0.7,-1.3"),
-          {"$budget", "#d62728", "a budget of the time of 3 passes", "right offset -0.7,0"}}) {
+         {std::tuple("$fixed", "#7f7f7f", "one setting for all", "left offset 0.5,-0.9"),
+          {"$budget", "#d62728", "a budget of the time of 3 passes", "center offset 0,0.8"}}) {
         const std::string style = " linecolor rgb " + quoted(colour);
         plot += std::string(plot.size() > 5 ? ", " : "") + block +
                 " using 1:3:($2-$1):(0) with vectors nohead" + style + " notitle, " + block +
                 " using 1:3 with points pointtype 7" + style + " title " + quoted(title) + ", " + block +
-                " using 1:3:4 with labels " + label + " font ',9' notitle";
+                " using 1:3:4 with labels " + label + " font ',8' notitle";
     }
     draw_with_gnuplot(folder / "budget", {900, 560, origin_of(table, "budget")}, settings.str(), plot + "\n");
 }
