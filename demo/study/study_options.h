@@ -29,7 +29,7 @@ struct AllOptions {
     std::filesystem::path out = "charts";  ///< folder for tables and charts
     bool quick = false, resume = false;    ///< as in StudyOptions, for each command
 };
-inline constexpr const char* time_of_all = "some 25 minutes";
+inline constexpr const char* time_of_all = "some 15 minutes";
 
 struct PlotOptions {
     std::vector<std::filesystem::path> csv;  ///< of any of the commands; told apart by their columns
