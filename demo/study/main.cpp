@@ -108,7 +108,8 @@ int main(int argc, char** argv) {
         app.add_subcommand("budget", "Fifty cloths within a time a step, beside one setting for all, as CSV");
     CLI::App* const plot_command = app.add_subcommand("plot", "Charts of such files, as SVG and PNG");
     CLI::App* const all_command = app.add_subcommand(
-        "all", std::string("All of these and their charts: ") + time_of_all + " on two quiet cores");
+        "all", std::string("accuracy, budget, stability, physics and contact, and their charts: ") +
+                   time_of_all + " on two quiet cores");
     describe_accuracy(*accuracy_command, accuracy);
     describe_measuring(*stability_command, stability);
     describe_physics(*physics_command, physics);
