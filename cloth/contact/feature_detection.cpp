@@ -89,19 +89,27 @@ void FeatureContact::find_near(Parallel& parallel, bool& is_crowd) {
 }
 
 /// Moves surfaces that coincide apart by `hair` floors at the substep's start. Returns whether any moved.
+/// Squeezed layers may touch, too: where they have no room, and would cross others, they stay.
 bool FeatureContact::part_touching(Parallel& parallel) {
     constexpr int most_layers = 16;  // further layers are moved apart in the next substep
     constexpr float hair = 2;        // [floors]: a search within one floor does not find them again
+    if (!any_touch(bodies_.span(), pairs_, start_.span())) return false;
     float floor = 0;
     for (const ContactCloth& cloth : cloths_) floor = std::max(floor, cloth.floor);
+    std::ranges::copy(start_.span(), displacements_.data());  // which are known when particles arrive()
     bool any = false;
     for (int k = 0; k < most_layers; ++k) {
         if (!weft::part_touching(bodies_.span(), pairs_, hair * floor, start_.span(), base_.span())) break;
         any = true;
         find(parallel, {}, {&ContactCloth::floor}, FullList::has_the_first);
     }
-    if (any) remember_nothing();  // crossings are looked for: a mesh may be folded into itself
-    return any;
+    if (!any) return false;
+    if (!may_cross_) finder_.find_crossings(parallel, bodies_.span(), start_.span(), crossings_);
+    if (!may_cross_ && crossings_.size > 0)
+        std::ranges::copy(displacements_.span(), start_.data());
+    else
+        remember_nothing();  // crossings are looked for: a mesh may be folded into itself
+    return true;
 }
 
 /// Marks particles that end beyond the search's margin round the searched path (see PairNarrowing), and

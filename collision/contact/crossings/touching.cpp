@@ -51,6 +51,11 @@ class TouchingPairs {
             if (is_touching(pair, shape)) visit(pair, shape, pairs.corners_of_a(k));
         }
     }
+    [[nodiscard]] bool any(const PairList& pairs) const {
+        for (std::uint32_t k = 0; k < pairs.size; ++k)
+            if (is_touching(pairs.pairs[k], pairs.shapes[k])) return true;
+        return false;
+    }
     /// Unit direction in which A moves relative to B; 0: undetermined. `both`: B moves the opposite way.
     [[nodiscard]] Vector3 way_of_a(const FeaturePair& pair, const PairShape& shape,
                                    std::uint32_t corners_of_a, bool& both) const {
@@ -130,6 +135,10 @@ bool gather_ways(const TouchingPairs& touching, const PairList& pairs, std::span
 }
 
 }  // namespace
+
+bool any_touch(std::span<const ContactBody> bodies, const PairList& pairs, std::span<const Vec4> positions) {
+    return TouchingPairs(bodies, positions).any(pairs);
+}
 
 bool part_touching(std::span<const ContactBody> bodies, const PairList& pairs, float distance,
                    std::span<Vec4> positions, std::span<Vec4> ways) {

@@ -10,6 +10,10 @@
 
 namespace weft {
 
+/// Whether any pair touches within rounding.
+[[nodiscard]] bool any_touch(std::span<const ContactBody> bodies, const PairList& pairs,
+                             std::span<const Vec4> positions);
+
 /// Moves features that touch within rounding `distance` [m] apart. Of each pair, the feature of the later
 /// body moves off the surface on which it stands or, where both lie along one surface, out of its front.
 /// Layers that face opposite ways both move out of their fronts. Within one body, borders that lie side by

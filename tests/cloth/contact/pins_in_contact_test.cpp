@@ -1,8 +1,11 @@
-// Cloth by contact that hangs from a pin, whose folds lie at the pin itself.
+// Cloth by contact that hangs from a pin, whose folds lie at the pin itself, and cloth that a pin draws
+// through its own fold.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "crossing_count.h"
 #include "tests/cloth/fixtures.h"
@@ -52,6 +55,54 @@ TEST(PinsInContact, APinThatNobodyMovesStaysWhereItIs) {
             EXPECT_LT(fastest, 8) << method.index() << " " << cell;
             EXPECT_EQ(crossings(tag.world, std::array{tag.cloth}), 0) << method.index() << " " << cell;
         }
+}
+
+/// A sheet of 1 x 0.5 m, folded over, that hangs by four corners of its lower layer. The middle of the upper
+/// layer is pinned.
+struct Fold {
+    Fold(std::uint32_t rows, std::uint32_t columns) : world(World::create({.threads = 1}).value()) {
+        constexpr float pi = 3.14159265f, apart = 0.05f, bend = pi * apart / 2, leg = (1 - bend) / 2;
+        Mesh mesh = make_sheet({.rows = rows, .columns = columns, .u = {1, 0, 0}, .v = {0, 0, 0.5f}}).value();
+        mesh.pattern.clear();
+        for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+            const float u = static_cast<float>(i % columns) / static_cast<float>(columns - 1),
+                        v = 0.5f * static_cast<float>(i / columns) / static_cast<float>(rows - 1),
+                        turned = std::clamp((u - leg) / bend, 0.0f, 1.0f) * pi,
+                        x = u < leg ? u : std::min(leg, 1 - u);
+            mesh.pattern.push_back({u, v});
+            mesh.positions[i] = {x + apart / 2 * std::sin(turned), 1 + apart / 2 * (1 - std::cos(turned)),
+                                 v - 0.25f};
+        }
+        ClothSettings settings;
+        settings.self_collision = {.method = SelfCollisionMethod::contact};
+        cloth = world.add_cloth(mesh, settings).value();
+        const auto column = [&](float u) {
+            return static_cast<std::uint32_t>(std::lround(u * static_cast<float>(columns - 1)));
+        };
+        for (const std::uint32_t row : {0u, rows - 1})
+            for (const std::uint32_t c : {0u, column(leg)}) EXPECT_TRUE(world.pin(cloth, row * columns + c));
+        pulled = rows / 2 * columns + column(leg + bend + leg / 2);
+        start = mesh.positions[pulled];
+        EXPECT_TRUE(world.pin(cloth, pulled));
+    }
+    void pull_down(float by) { EXPECT_TRUE(world.move_pin(cloth, pulled, {start.x, start.y - by, start.z})); }
+
+    World world;
+    ClothId cloth;
+    std::uint32_t pulled = 0;
+    Vec3 start{};
+};
+
+// Where layers were squeezed till they touched, they were moved apart at the start of a step, through others.
+TEST(PinsInContact, WhatIsYankedThroughItsOwnFoldCrossesNothing) {
+    constexpr float speed = 11, depth = 0.35f, waits = 0.1f;
+    Fold fold(19, 37);
+    for (int k = 1; k <= 60; ++k) {
+        fold.pull_down(std::clamp(speed * (static_cast<float>(k) * h - waits), 0.0f, depth));
+        fold.world.step(h);
+        ASSERT_EQ(fold.world.report().crossings, 0u) << "step " << k;
+    }
+    EXPECT_EQ(crossings(fold.world, std::array{fold.cloth}), 0);
 }
 
 }  // namespace
