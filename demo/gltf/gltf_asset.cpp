@@ -14,10 +14,6 @@ using Affine = Eigen::Affine3f;
 
 constexpr std::size_t most_sets = 4;  // of four influences each
 
-Error in_part(const std::string& material, const Error& error) {
-    return {error.code, "the primitive of material " + material + ": " + error.message};
-}
-
 Vector3 point_at(const std::vector<double>& numbers, std::size_t v) {
     return Eigen::Map<const Eigen::Vector3d>(numbers.data() + 3 * v).cast<float>();
 }
@@ -47,6 +43,7 @@ class GltfAssetReader {
             if (auto read = read_skin(skin); !read) return read.error();
         for (std::size_t n = 0; n < model_.nodes.size(); ++n)
             if (auto read = read_node(n); !read) return read.error();
+        if (asset_.parts_.empty() && !asset_.left_out_.empty()) return asset_.left_out_.front().fault;
         motion_.animation = *std::move(animation);
         model_.buffers.clear();
         motion_.model = std::move(model_);
@@ -98,48 +95,86 @@ class GltfAssetReader {
     Result<void> read_node(std::size_t n) {
         const GltfNode& node = model_.nodes[n];
         if (!node.mesh) return {};
-        for (const GltfPrimitive& primitive : model_.meshes[*node.mesh]) {
-            if (!primitive.triangles) continue;  // lines and points are no cloth
-            if (auto read = read_part(primitive, n); !read) return read;
+        const std::vector<GltfPrimitive>& primitives = model_.meshes[*node.mesh];
+        for (std::size_t p = 0; p < primitives.size(); ++p) {
+            if (!primitives[p].triangles) continue;  // lines and points are no cloth
+            auto part = read_part(primitives[p], n);
+            // Faulty primitives count as well: a small file may name one a million times.
+            const auto counted =
+                part ? count_part(part->mesh.positions.size(), part->mesh.triangles.size(), size_)
+                     : count_part(1 + longest_accessor(primitives[p]), 0, size_);
+            if (!counted) return at_primitive(n, p, counted.error());
+            if (part)
+                asset_.parts_.push_back(*std::move(part));
+            else
+                leave_out(n, p, part.error());
         }
         return {};
     }
 
-    Result<void> read_part(const GltfPrimitive& primitive, std::size_t n) {
+    void leave_out(std::size_t n, std::size_t p, const Error& fault) {
+        const std::size_t mesh = *model_.nodes[n].mesh;
+        const GltfPrimitive& primitive = model_.meshes[mesh][p];
+        asset_.left_out_.push_back({.mesh = mesh,
+                                    .primitive = p,
+                                    .node = n,
+                                    .material = material_of(primitive),
+                                    .fault = at_primitive(n, p, fault),
+                                    .positions = finite_positions(model_, primitive)});
+    }
+
+    [[nodiscard]] Error at_primitive(std::size_t n, std::size_t p, const Error& error) const {
+        const std::size_t mesh = *model_.nodes[n].mesh;
+        const std::string material = material_of(model_.meshes[mesh][p]);
+        return {error.code, "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(p) +
+                                "] at nodes[" + std::to_string(n) + "]" +
+                                (material.empty() ? "" : ", of material " + material) + ": " + error.message};
+    }
+
+    [[nodiscard]] std::string material_of(const GltfPrimitive& primitive) const {
+        return primitive.material ? model_.materials[*primitive.material].name : std::string();
+    }
+
+    [[nodiscard]] std::size_t longest_accessor(const GltfPrimitive& primitive) const {
+        std::size_t longest = primitive.indices ? model_.accessors[*primitive.indices].count : 0;
+        for (const auto& [name, accessor] : primitive.attributes)
+            longest = std::max(longest, model_.accessors[accessor].count);
+        return longest;
+    }
+
+    [[nodiscard]] Result<GltfPart> read_part(const GltfPrimitive& primitive, std::size_t n) const {
+        if (primitive.fault) return *primitive.fault;
         GltfPart part;
-        if (primitive.material) part.material = model_.materials[*primitive.material].name;
+        part.material = material_of(primitive);
         if (primitive.material) part.colour = model_.materials[*primitive.material].colour;
-        const auto fail = [&](const Error& error) { return in_part(part.material, error); };
-        const auto of_positions = needed(primitive, "POSITION", part.material);
+        const auto of_positions = needed(primitive, "POSITION");
         if (!of_positions) return of_positions.error();
         const auto bound = gltf_numbers(model_, *of_positions, 3);
-        if (!bound) return fail(bound.error());
+        if (!bound) return bound.error();
         const std::size_t vertices = bound->size() / 3;
         const auto triangles = gltf_triangles(model_, primitive, vertices);
-        if (!triangles) return fail(triangles.error());
+        if (!triangles) return triangles.error();
         part.mesh.triangles = *triangles;
         std::vector<Vec3>& positions = part.mesh.positions;
         positions.resize(vertices);
         const auto& skin = model_.nodes[n].skin;
         if (skin) {
-            if (auto read = read_influences(primitive, *skin, vertices, part); !read) return read;
-            if (auto put = pose_by_skin(*bound, *skin, part, positions); !put) return fail(put.error());
+            if (auto read = read_influences(primitive, *skin, vertices, part); !read) return read.error();
+            if (auto put = pose_by_skin(*bound, *skin, part, positions); !put) return put.error();
         } else {
             for (std::size_t v = 0; v < vertices; ++v)
                 positions[v] = to_vec3(at_rest_[n] * point_at(*bound, v));
         }
-        if (auto counted = count_part(positions, *triangles, size_); !counted) return fail(counted.error());
-        if (auto read = read_colours(primitive, vertices, part); !read) return fail(read.error());
-        if (auto read = read_texcoords(primitive, vertices, part.mesh); !read) return fail(read.error());
+        if (auto checked = check_places(positions); !checked) return checked.error();
+        if (auto read = read_colours(primitive, vertices, part); !read) return read.error();
+        if (auto read = read_texcoords(primitive, vertices, part.mesh); !read) return read.error();
         for (std::uint32_t& joint : part.joints) joint = joint_of_node_[model_.skins[*skin].joints[joint]];
-        asset_.parts_.push_back(std::move(part));
-        return {};
+        return part;
     }
 
-    static Result<std::size_t> needed(const GltfPrimitive& primitive, const std::string& name,
-                                      const std::string& material) {
+    static Result<std::size_t> needed(const GltfPrimitive& primitive, const std::string& name) {
         if (const auto found = primitive.attribute(name)) return *found;
-        return gltf_error("the primitive of material " + material + " has no " + name);
+        return gltf_error("it has no " + name + "; it needs one");
     }
 
     /// Reads JOINTS_0 and WEIGHTS_0, and further sets of four as far as there are any.
@@ -149,19 +184,18 @@ class GltfAssetReader {
         while (sets < most_sets && primitive.attribute("JOINTS_" + std::to_string(sets))) ++sets;
         part.influences = 4 * sets;
         for (std::size_t set = 0; set < sets; ++set) {
-            const auto of_joints = needed(primitive, "JOINTS_" + std::to_string(set), part.material);
+            const auto of_joints = needed(primitive, "JOINTS_" + std::to_string(set));
             if (!of_joints) return of_joints.error();
-            const auto of_weights = needed(primitive, "WEIGHTS_" + std::to_string(set), part.material);
+            const auto of_weights = needed(primitive, "WEIGHTS_" + std::to_string(set));
             if (!of_weights) return of_weights.error();
             const auto joints = gltf_indices(model_, *of_joints, 4, model_.skins[skin].joints.size());
             if (!joints) return Error{joints.error().code, "joints of the skin: " + joints.error().message};
             const auto weights = gltf_numbers(model_, *of_weights, 4);
             if (!weights) return weights.error();
             if (joints->size() != 4 * vertices || weights->size() != 4 * vertices)
-                return gltf_error("the primitive of material " + part.material + " has " +
-                                  std::to_string(weights->size() / 4) + " weights and " +
+                return gltf_error("it has " + std::to_string(weights->size() / 4) + " weights and " +
                                   std::to_string(joints->size() / 4) + " joints for " +
-                                  std::to_string(vertices) + " positions");
+                                  std::to_string(vertices) + " positions; it needs as many");
             part.joints.resize(part.influences * vertices);
             part.weights.resize(part.joints.size());
             for (std::size_t i = 0; i < joints->size(); ++i) {
@@ -203,8 +237,8 @@ class GltfAssetReader {
         const auto numbers = gltf_numbers(model_, *found, each);
         if (!numbers) return numbers.error();
         if (numbers->size() != each * vertices)
-            return gltf_error("has " + std::to_string(numbers->size() / each) + " colours for " +
-                              std::to_string(vertices) + " positions");
+            return gltf_error("it has " + std::to_string(numbers->size() / each) + " colours for " +
+                              std::to_string(vertices) + " positions; it needs as many or none");
         for (std::size_t i = 0; i < numbers->size(); i += each)
             part.colours.push_back({static_cast<float>((*numbers)[i]), static_cast<float>((*numbers)[i + 1]),
                                     static_cast<float>((*numbers)[i + 2])});
@@ -217,8 +251,8 @@ class GltfAssetReader {
         const auto numbers = gltf_numbers(model_, *found, 2);
         if (!numbers) return numbers.error();
         if (numbers->size() != 2 * vertices)
-            return gltf_error("has " + std::to_string(numbers->size() / 2) + " texture coordinates for " +
-                              std::to_string(vertices) + " positions");
+            return gltf_error("it has " + std::to_string(numbers->size() / 2) + " texture coordinates for " +
+                              std::to_string(vertices) + " positions; it needs as many or none");
         for (std::size_t i = 0; i < numbers->size(); i += 2)
             mesh.texcoords.push_back(
                 {static_cast<float>((*numbers)[i]), static_cast<float>((*numbers)[i + 1])});
@@ -231,7 +265,7 @@ class GltfAssetReader {
     std::vector<Affine> at_rest_;               // of each node
     std::vector<std::uint32_t> joint_of_node_;  // or of its nearest ancestor that is a joint
     std::vector<std::vector<Affine>> binds_;    // of each skin's joints
-    GltfSize size_;                             // of all parts
+    GltfSize size_;                             // of all parts, and of what was left out
 };
 
 Result<GltfAsset> GltfAsset::load(const std::filesystem::path& file) {

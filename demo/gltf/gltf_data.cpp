@@ -122,7 +122,8 @@ Result<std::vector<double>> gltf_numbers(const GltfModel& model, std::size_t acc
     const auto wrong = std::ranges::find_if_not(*numbers, [](double n) { return std::isfinite(n); });
     if (wrong == numbers->end()) return numbers;
     return gltf_error(name_of(accessor) + " has a number that is not finite, in element " +
-                      std::to_string(static_cast<std::size_t>(wrong - numbers->begin()) / components));
+                      std::to_string(static_cast<std::size_t>(wrong - numbers->begin()) / components) +
+                      "; all must be finite");
 }
 
 Result<std::vector<std::uint32_t>> gltf_indices(const GltfModel& model, std::size_t accessor,
@@ -134,8 +135,8 @@ Result<std::vector<std::uint32_t>> gltf_indices(const GltfModel& model, std::siz
     for (const double number : *numbers) {
         if (!(number >= 0 && number < static_cast<double>(size)) || number != std::floor(number))
             return gltf_error(name_of(accessor) + " has index " + std::to_string(number) + ", in element " +
-                              std::to_string(indices.size() / components) + "; there are " +
-                              std::to_string(size));
+                              std::to_string(indices.size() / components) +
+                              "; it must be a whole number from 0 to below " + std::to_string(size));
         indices.push_back(static_cast<std::uint32_t>(number));
     }
     return indices;
@@ -167,20 +168,35 @@ Result<std::vector<Triangle>> gltf_triangles(const GltfModel& model, const GltfP
     return triangles;
 }
 
-Result<void> count_part(std::span<const Vec3> positions, std::span<const Triangle> triangles, GltfSize& all) {
-    if (positions.size() > most_vertices - all.vertices || triangles.size() > most_triangles - all.triangles)
+Result<void> count_part(std::size_t vertices, std::size_t triangles, GltfSize& all) {
+    if (vertices > most_vertices - all.vertices || triangles > most_triangles - all.triangles)
         return Error{ErrorCode::invalid_mesh, "there are more than " + std::to_string(most_vertices) +
                                                   " vertices or " + std::to_string(most_triangles) +
                                                   " triangles, with those that are named many times; a mesh "
                                                   "may have so many"};
-    all.vertices += positions.size();
-    all.triangles += triangles.size();
+    all.vertices += vertices;
+    all.triangles += triangles;
+    return {};
+}
+
+Result<void> check_places(std::span<const Vec3> positions) {
     for (const Vec3& p : positions)
         if (!(to_vector(p).cwiseAbs().maxCoeff() <= runaway_distance))
             return gltf_error("vertex " + std::to_string(&p - positions.data()) + " comes to stand at (" +
                               std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) +
                               ") m; it must be within " + std::to_string(runaway_distance) + " m");
     return {};
+}
+
+std::vector<Vec3> finite_positions(const GltfModel& model, const GltfPrimitive& primitive) {
+    std::vector<Vec3> finite;
+    const auto accessor = primitive.attribute("POSITION");
+    if (!accessor || primitive.fault) return finite;
+    const auto numbers = raw_numbers(model, *accessor, 3, model.accessors[*accessor].normalised);
+    if (!numbers) return finite;
+    for (std::size_t i = 0; i < numbers->size(); i += 3)
+        if (const Vector3 p = three(*numbers, i); p.allFinite()) finite.push_back(to_vec3(p));
+    return finite;
 }
 
 std::vector<NodePlace> gltf_places(const GltfModel& model) {

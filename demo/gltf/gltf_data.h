@@ -32,11 +32,15 @@ struct GltfSize {
     std::size_t vertices = 0, triangles = 0;
 };
 
-/// Adds a part's size, and refuses a part with a vertex farther out than cloth may be (coordinates.h), or by
-/// which all are larger than a mesh may be (mesh_limits.h), which a small file can ask for by naming one
-/// accessor many times.
-[[nodiscard]] Result<void> count_part(std::span<const Vec3> positions, std::span<const Triangle> triangles,
-                                      GltfSize& all);
+/// Adds a part's size, and refuses one by which all are larger than a mesh may be (mesh_limits.h), which a
+/// small file can ask for by naming one accessor many times.
+[[nodiscard]] Result<void> count_part(std::size_t vertices, std::size_t triangles, GltfSize& all);
+
+/// Error: a vertex farther out than cloth may be (coordinates.h).
+[[nodiscard]] Result<void> check_places(std::span<const Vec3> positions);
+
+/// The finite positions of a faulty primitive; none where they cannot be read.
+[[nodiscard]] std::vector<Vec3> finite_positions(const GltfModel& model, const GltfPrimitive& primitive);
 
 [[nodiscard]] std::vector<NodePlace> gltf_places(const GltfModel& model);
 /// Transforms from each node's axes to the World's. Error: a node farther out than cloth may be

@@ -11,15 +11,24 @@
 #endif
 
 namespace weft {
+namespace {
+
+// The limit is on all buffers together, since many primitives may name the same compressed data.
+constexpr std::size_t most_decoded_bytes = std::size_t{1} << 31;
+
+std::size_t bytes_of(const std::vector<std::vector<unsigned char>>& buffers) {
+    std::size_t bytes = 0;
+    for (const auto& each : buffers) bytes += each.size();
+    return bytes;
+}
+
+}  // namespace
 
 #ifdef WEFT_DRACO
 
 const bool has_draco = true;
 
 namespace {
-
-// The limit is on all buffers together, since many primitives may name the same compressed data.
-constexpr std::size_t most_decoded_bytes = std::size_t{1} << 31;
 
 /// Appends packed values as a buffer of their own. Returns the number of their accessor.
 template <class T>
@@ -55,19 +64,19 @@ Result<void> decode(GltfModel& model, GltfPrimitive& primitive) {
     buffer.Init(reinterpret_cast<const char*>(model.buffers[view.buffer].data()) + view.offset, view.bytes);
     draco::Decoder decoder;
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
-    if (!decoded.ok()) return gltf_error("is no data of Draco's: " + decoded.status().error_msg_string());
+    if (!decoded.ok()) return gltf_error("are none of Draco's: " + decoded.status().error_msg_string());
     const draco::Mesh& mesh = *decoded.value();
     if (mesh.num_points() > most_vertices || mesh.num_faces() > most_triangles)
-        return gltf_error("has more vertices or triangles than a mesh may have");
+        return gltf_error("have more vertices or triangles than a mesh may have");
     for (const auto& [name, id] : primitive.compressed->attributes) {
         const auto to = std::ranges::find(primitive.attributes, name, [](const auto& a) { return a.first; });
         const auto* const from = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
         if (to == primitive.attributes.end() || from == nullptr)
-            return gltf_error("has no attribute " + std::to_string(id) + ", which is " + name);
+            return gltf_error("have no attribute " + std::to_string(id) + ", which is " + name);
         const std::size_t components = model.accessors[to->second].components;
         const auto values = values_of(*from, mesh.num_points(), components);
         if (!values)
-            return gltf_error("has other components than the " + std::to_string(components) + " of " + name);
+            return gltf_error("have other components than the " + std::to_string(components) + " of " + name);
         to->second = append(model, *values, GltfType::f32, components);
     }
     std::vector<std::uint32_t> corners;
@@ -75,9 +84,6 @@ Result<void> decode(GltfModel& model, GltfPrimitive& primitive) {
         for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(f)))
             corners.push_back(corner.value());
     primitive.indices = append(model, corners, GltfType::u32, 1);
-    std::size_t bytes = 0;
-    for (const auto& each : model.buffers) bytes += each.size();
-    if (bytes > most_decoded_bytes) return gltf_error("has, with those before it, more than 2 GiB");
     primitive.triangles = GltfTriangles::list;
     return {};
 }
@@ -93,7 +99,7 @@ namespace {
 Result<void> decode(GltfModel& model, const GltfPrimitive& primitive) {
     for (const auto& [name, accessor] : primitive.attributes)
         if (!model.accessors[accessor].view && !model.accessors[accessor].sparse)
-            return gltf_error("is compressed by Draco, which this build of Weft lacks; export it without");
+            return gltf_error("are compressed by Draco, which this build of Weft lacks; export it without");
     return {};
 }
 
@@ -103,10 +109,14 @@ Result<void> decode(GltfModel& model, const GltfPrimitive& primitive) {
 
 Result<void> decode_draco(GltfModel& model) {
     for (std::size_t m = 0; m < model.meshes.size(); ++m)
-        for (GltfPrimitive& primitive : model.meshes[m])
-            if (primitive.compressed)
-                if (auto decoded = decode(model, primitive); !decoded)
-                    return gltf_error("meshes[" + std::to_string(m) + "] " + decoded.error().message);
+        for (GltfPrimitive& primitive : model.meshes[m]) {
+            if (!primitive.compressed) continue;
+            if (auto decoded = decode(model, primitive); !decoded)
+                primitive.fault = gltf_error("its data " + decoded.error().message);
+            if (bytes_of(model.buffers) > most_decoded_bytes)
+                return gltf_error("meshes[" + std::to_string(m) +
+                                  "] has, with those before it, more than 2 GiB of decoded data");
+        }
     return {};
 }
 

@@ -9,8 +9,8 @@ namespace weft {
 extern const bool has_draco;
 
 /// Decodes compressed primitives: their data become buffers, views and accessors like any others. Without
-/// Draco they keep their uncompressed data, if they have any. Error: names the mesh and what is wrong with
-/// it; data that is compressed only, without Draco.
+/// Draco they keep their uncompressed data, if they have any. What cannot be decoded becomes the primitive's
+/// fault: also data that is compressed only, without Draco. Error: all decoded data are more than 2 GiB.
 [[nodiscard]] Result<void> decode_draco(GltfModel& model);
 
 }  // namespace weft

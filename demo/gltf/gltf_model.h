@@ -69,6 +69,7 @@ struct GltfPrimitive {
     std::optional<std::size_t> indices, material;
     std::optional<GltfTriangles> triangles;  ///< none: points or lines
     std::optional<GltfCompressed> compressed;
+    std::optional<Error> fault;  ///< compressed data could not be decoded: the attributes have no numbers
 
     [[nodiscard]] std::optional<std::size_t> attribute(const std::string& name) const;
 };

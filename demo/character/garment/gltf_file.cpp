@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "demo/character/garment/painted_maps.h"
@@ -96,32 +97,64 @@ class GltfReader {
         bool free, worn;
     };
 
+    static bool is_free(const std::string& material) { return material.ends_with("Free"); }
+    static bool is_fixed(const std::string& material) { return material.starts_with("Garment"); }
+
     [[nodiscard]] std::vector<SkinPart> skin_parts() const {
         std::vector<SkinPart> parts;
         for (const GltfPart& part : asset_.parts()) {
             if (part.influences == 0) continue;
-            const bool free = part.material.ends_with("Free");
-            parts.push_back({part, free, free || part.material.starts_with("Garment")});
+            const bool free = is_free(part.material);
+            parts.push_back({part, free, free || is_fixed(part.material)});
         }
         mark_joined(parts);
         return parts;
     }
 
+    /// The places of vertices, for finding what is joined.
+    class Places {
+      public:
+        void add(std::span<const Vec3> positions) {
+            for (const Vec3& p : positions) places_.insert({p.x, p.y, p.z});
+        }
+        [[nodiscard]] bool touch(std::span<const Vec3> positions) const {
+            return std::ranges::any_of(positions, [&](const Vec3& p) {
+                return places_.contains({p.x, p.y, p.z});
+            });
+        }
+
+      private:
+        std::set<std::array<float, 3>> places_;
+    };
+
     /// What shares a vertex's place with something worn is worn.
     static void mark_joined(std::vector<SkinPart>& parts) {
-        std::set<std::array<float, 3>> seams;
+        Places seams;
         std::vector<bool> added(parts.size());
-        const auto place = [](const Vec3& p) { return std::array{p.x, p.y, p.z}; };
         for (bool any = true; std::exchange(any, false);)
             for (std::size_t k = 0; k < parts.size(); ++k) {
                 SkinPart& part = parts[k];
-                part.worn = part.worn || std::ranges::any_of(part.from.bound, [&](const Vec3& p) {
-                                return seams.contains(place(p));
-                            });
+                part.worn = part.worn || seams.touch(part.from.bound);
                 if (!part.worn || added[k]) continue;
-                for (const Vec3& p : part.from.bound) seams.insert(place(p));
+                seams.add(part.from.bound);
                 any = added[k] = true;
             }
+    }
+
+    /// Notes faulty primitives of the body. Error: a faulty one that is worn, by its material or by a vertex
+    /// that it shares, or that is of a body to be met.
+    Result<void> note_left_out(const std::vector<SkinPart>& parts) {
+        if (asset_.left_out().empty()) return {};
+        Places seams;
+        for (const SkinPart& part : parts)
+            if (part.worn) seams.add(part.from.bound);
+        for (const GltfLeftOut& each : asset_.left_out()) {
+            const bool worn =
+                is_free(each.material) || is_fixed(each.material) || seams.touch(each.positions);
+            if (worn || with_body_) return each.fault;
+            character_.garment.notes.push_back(each.fault.message + "; it is left out, as of the body");
+        }
+        return {};
     }
 
     Result<void> read_meshes() {
@@ -129,6 +162,7 @@ class GltfReader {
         garment.stands_ready = true;
         bool any_free = false;
         const std::vector<SkinPart> parts = skin_parts();
+        if (auto noted = note_left_out(parts); !noted) return noted;
         for (const SkinPart& part : parts)
             character_.worn.influences = std::max(character_.worn.influences, part.from.influences);
         character_.body.influences = character_.worn.influences;

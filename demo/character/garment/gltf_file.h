@@ -32,9 +32,11 @@ struct SkinnedCharacter {
 /// Reads .gltf and .glb (weft/gltf.h): all skins as one person's, and of their meshes the primitives that are
 /// worn. Those of a material whose name ends in "Free" are simulated. Those of a material whose name begins
 /// with "Garment", and all that share the place of a vertex with something worn, are fixed by their weights.
-/// All others are of the body; notes of the garment name them. Maps may stand beside the file
+/// All others are of the body; notes of the garment name them, and those that
+/// are faulty and left out. Maps may stand beside the file
 /// (painted_maps.h). Errors name the file and what it lacks: GltfAsset::load()'s; a skin, joints, a primitive
-/// of a Free material; triangles of a body, where it is asked for.
+/// of a Free material; triangles of a body, where it is asked for. A faulty primitive is an error where it is
+/// worn, or of the body that is asked for.
 [[nodiscard]] Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_body = false);
 
 }  // namespace weft::demo

@@ -15,7 +15,7 @@ namespace weft::demo {
 [[nodiscard]] bool has_skin(const std::filesystem::path& file);
 
 /// All triangles of .gltf or .glb, where its nodes and skins put them, +Y up [m]. Errors name the file and
-/// what it lacks: triangles in a node's mesh, positions.
+/// what it lacks: triangles in a node's mesh, positions; and a primitive that is faulty.
 [[nodiscard]] Result<Mesh> read_gltf_mesh(const std::filesystem::path& file);
 
 }  // namespace weft::demo

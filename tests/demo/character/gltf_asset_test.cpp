@@ -53,6 +53,30 @@ TEST(GltfAsset, StripsAndFansFaceOneWay) {
     }
 }
 
+TEST(GltfAsset, AFaultyPrimitiveIsLeftOutOfTheAnswerAndSaidToBe) {
+    GltfText data = strip();
+    data.add(std::vector<std::uint8_t>{0, 1, 5}, "SCALAR", 5121, 3);
+    const std::string sound = R"({"attributes":{"POSITION":0},"mode":5})",
+                      faulty = R"({"attributes":{"POSITION":0},"indices":1})";
+    const auto asset = load_plain(data, faulty + "," + sound);
+    ASSERT_TRUE(asset.ok()) << asset.error().message;
+    ASSERT_EQ(asset->parts().size(), 1u);
+    EXPECT_EQ(asset->mesh().triangles.size(), 3u);
+    ASSERT_EQ(asset->left_out().size(), 1u);
+    const GltfLeftOut& left_out = asset->left_out().front();
+    EXPECT_EQ(left_out.primitive, 0u);
+    EXPECT_EQ(left_out.positions.size(), 5u);
+    EXPECT_EQ(left_out.fault.code, ErrorCode::malformed_file);
+    EXPECT_NE(left_out.fault.message.find("meshes[0].primitives[0] at nodes[0]: of 5 vertices: accessors[1] "
+                                          "has index 5.000000, in element 2; it must be a whole number"),
+              std::string::npos)
+        << left_out.fault.message;
+    EXPECT_TRUE(load_plain(data, sound + "," + sound)->left_out().empty());
+    const auto none = load_plain(data, faulty);
+    ASSERT_FALSE(none.ok()) << "nothing is left";
+    EXPECT_NE(none.error().message.find("has index 5"), std::string::npos) << none.error().message;
+}
+
 TEST(GltfAsset, SparseElementsReplaceThoseOfTheView) {
     GltfText data = strip();
     data.add(std::vector<std::uint8_t>{1, 4}, "SCALAR", 5121, 2);

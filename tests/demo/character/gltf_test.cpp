@@ -3,6 +3,7 @@
 #include "demo/character/garment/gltf_file.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "demo/character/character.h"
@@ -170,7 +171,7 @@ TEST(Gltf, ErrorsNameTheFileAndWhatItLacks) {
         return read.error().message;
     };
     EXPECT_NE(refusal("SkirtFree", "Skirt").find("\"Free\""), std::string::npos);
-    EXPECT_NE(refusal("\"WEIGHTS_0\"", "\"WEIGHTS_9\"").find("GarmentTop has no WEIGHTS_0"),
+    EXPECT_NE(refusal("\"WEIGHTS_0\"", "\"WEIGHTS_9\"").find("GarmentTop: it has no WEIGHTS_0"),
               std::string::npos);
     EXPECT_NE(refusal("\"joints\":[", "\"joints\":[999,").find("joints[0] is 999"), std::string::npos);
     EXPECT_NE(refusal("\"type\":\"MAT4\"", "\"type\":\"VEC4\"").find("must have 16"), std::string::npos);
@@ -179,6 +180,73 @@ TEST(Gltf, ErrorsNameTheFileAndWhatItLacks) {
     const auto missing = read_gltf("no/such.glb");
     ASSERT_FALSE(missing.ok());
     EXPECT_EQ(missing.error().code, ErrorCode::file_not_found);
+}
+
+/// The example with a body, one accessor of whose primitive `number` is replaced by `accessor`.
+std::string with_accessor(const GltfExample& model, const std::string& buffer, std::size_t number,
+                          const std::string& key, int accessor) {
+    std::string json = model.json(buffer);
+    std::size_t at = json.find("\"primitives\":[");
+    for (std::size_t k = 0; k <= number; ++k) at = json.find("{\"attributes\"", at + 1);
+    at = json.find('"' + key + "\":", at) + key.size() + 3;
+    return json.replace(at, json.find_first_of(",}", at) - at, std::to_string(accessor));
+}
+
+TEST(Gltf, AFaultyBodyIsLeftOutAndAFaultyGarmentRefused) {
+    GltfExample model(true);
+    constexpr std::size_t top = 0, skirt = 1, body = 2;
+    const int far = model.data.add(std::vector<std::uint16_t>{0, 1, 60000}, "SCALAR", 5123, 3);
+    const int short_list = model.data.add(std::vector<std::uint16_t>{0, 1, 2, 3}, "SCALAR", 5123, 4);
+    std::vector<float> places(48, 0.5f);
+    places[7] = std::numeric_limits<float>::quiet_NaN();
+    const int unknown = model.data.add(places, "VEC3", 5126, 16);
+    const int few = model.data.add(std::vector<float>(8, 0.25f), "VEC4", 5126, 2);
+    const TemporaryFile buffer("left_out.bin", model.data.bytes);
+    const std::string name = buffer.path().filename().string();
+    const TemporaryFile whole("whole.gltf", model.json(name));
+    const Mesh sound = read_gltf(whole.path()).value().garment.mesh;
+    struct Case {
+        std::string key;
+        int accessor;
+        std::string named;
+    };
+    for (const auto& [key, accessor, named] :
+         std::vector<Case>{{"indices", far, "has index 60000.000000, in element 2; it must be"},
+                           {"indices", short_list, "there are 4 corners; they must be three a triangle"},
+                           {"POSITION", unknown, "not finite, in element 2; all must be finite"},
+                           {"WEIGHTS_0", few, "it has 2 weights and"}}) {
+        const TemporaryFile file("left_out.gltf", with_accessor(model, name, body, key, accessor));
+        const auto read = read_gltf(file.path());
+        ASSERT_TRUE(read.ok()) << read.error().message;
+        EXPECT_EQ(read->garment.mesh.positions.size(), sound.positions.size());
+        EXPECT_EQ(read->garment.mesh.triangles, sound.triangles);
+        ASSERT_EQ(read->garment.notes.size(), 1u);
+        for (const std::string& said : {std::string("meshes[0].primitives[2]"), std::string("Skin"), named})
+            EXPECT_NE(read->garment.notes[0].find(said), std::string::npos) << read->garment.notes[0];
+        const auto met = read_gltf(file.path(), true);
+        ASSERT_FALSE(met.ok()) << "the body is to be met, and is faulty";
+        EXPECT_NE(met.error().message.find(named), std::string::npos) << met.error().message;
+        for (const std::size_t worn : {top, skirt}) {
+            const TemporaryFile torn("torn.gltf", with_accessor(model, name, worn, key, accessor));
+            const auto refused = read_gltf(torn.path());
+            ASSERT_FALSE(refused.ok()) << key << " of primitive " << worn;
+            for (const std::string& said :
+                 {std::string("torn.gltf"), "primitives[" + std::to_string(worn) + "]", named})
+                EXPECT_NE(refused.error().message.find(said), std::string::npos) << refused.error().message;
+        }
+    }
+}
+
+TEST(Gltf, WhatIsJoinedToFreeClothIsMissedWhateverItsName) {
+    GltfExample model(true);
+    const int far = model.data.add(std::vector<std::uint16_t>{0, 1, 60000}, "SCALAR", 5123, 3);
+    const TemporaryFile buffer("bodice.bin", model.data.bytes);
+    std::string json = with_accessor(model, buffer.path().filename().string(), 0, "indices", far);
+    json.replace(json.find("GarmentTop"), 10, "Bodice");
+    const TemporaryFile file("bodice.gltf", json);
+    const auto read = read_gltf(file.path());
+    ASSERT_FALSE(read.ok()) << "a skirt without its bodice would fall";
+    EXPECT_NE(read.error().message.find("of material Bodice"), std::string::npos) << read.error().message;
 }
 
 TEST(Gltf, AValueThatIsMalformedIsNamed) {

@@ -38,6 +38,17 @@ struct GltfPart {
     std::vector<float> weights{};  ///< as many, at least 0; they sum to 1, or to 0 where the file has none
 };
 
+/// A primitive of triangles that is faulty, and is missing among the parts.
+struct GltfLeftOut {
+    std::size_t mesh = 0, primitive = 0;  ///< meshes[mesh].primitives[primitive] of the file
+    std::size_t node = 0;                 ///< nodes[node] of the file, which has the mesh
+    std::string material;                 ///< name of its material; empty: none
+    /// The fault: names the primitive by number and material, its wrong value, and what would be right.
+    Error fault{};
+    /// The finite ones of the file's own positions, which tell what the primitive touches.
+    std::vector<Vec3> positions{};
+};
+
 /// A transform as a matrix of four columns, one after the other, as graphics interfaces take it.
 using GltfMatrix = std::array<float, 16>;
 
@@ -48,13 +59,19 @@ class GltfAsset {
     /// lists, strips and fans of triangles of all nodes, sparse accessors, all skins, the first animation
     /// and, if Weft was built with it, Draco's compression. Lines, points, morph targets, cameras and
     /// textures are ignored; scales of nodes apply, shear of matrices is ignored. Any bytes are safe to
-    /// read. Errors name the file and the value: what cannot be read or is no glTF 2, an extension that
-    /// hides the data, a value of the wrong kind or out of its range, more vertices than a mesh may have.
+    /// read. A primitive whose own data are faulty is left out: see left_out(). Errors name the file and the
+    /// value: what cannot be read or is no glTF 2, an extension that hides the data, a value of the JSON that
+    /// is of the wrong kind or out of its range, more vertices than a mesh may have, no primitive but faulty
+    /// ones.
     [[nodiscard]] static Result<GltfAsset> load(const std::filesystem::path& file);
     /// Returns true if load() reads KHR_draco_mesh_compression.
     [[nodiscard]] static bool reads_draco();
 
     [[nodiscard]] const std::vector<GltfPart>& parts() const { return parts_; }
+    /// Faulty primitives: indices of no vertex, numbers that are not finite, attributes of another length
+    /// than the positions, compressed data that cannot be decoded. What is left out may be part of what is
+    /// wanted: a host compares the materials' names, or refuses the file where this is not empty.
+    [[nodiscard]] const std::vector<GltfLeftOut>& left_out() const { return left_out_; }
     [[nodiscard]] const std::vector<GltfJoint>& joints() const { return joints_; }
     /// All parts as one mesh in the rest pose; it has texture coordinates where all parts have.
     [[nodiscard]] Mesh mesh() const;
@@ -74,6 +91,7 @@ class GltfAsset {
     friend class GltfAssetReader;
 
     std::vector<GltfPart> parts_;
+    std::vector<GltfLeftOut> left_out_;
     std::vector<GltfJoint> joints_;
     std::shared_ptr<const Motion> motion_;
 };
