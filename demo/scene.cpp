@@ -1,6 +1,7 @@
 #include "demo/scene.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace weft::demo {
 
@@ -17,6 +18,19 @@ render::FabricLook two_sided(const Vec3& front, float stripe_width) {
     return {.front = front,
             .back = {paler(front.x), paler(front.y), paler(front.z)},
             .stripe_width = stripe_width};
+}
+
+Result<void> draw_over(SceneCloth& cloth, const World& world, const Mesh& fine,
+                       const DrawnMeshSettings& binding) {
+    const auto view = world.cloth(cloth.id);
+    if (!view) return view.error();
+    auto drawn = DrawnMesh::bind(
+        *view, {.vertices = fine.positions, .triangles = fine.triangles, .texcoords = fine.texcoords},
+        binding);
+    if (!drawn) return drawn.error();
+    cloth.fine = fine;
+    cloth.drawn = std::make_shared<const DrawnMesh>(std::move(*drawn));
+    return {};
 }
 
 const SceneEntry* find_scene(std::string_view name) {

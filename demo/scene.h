@@ -29,6 +29,9 @@ struct SceneOptions {
     Hold hold = Hold::highest_opening;  ///< of the scene garment
     bool y_is_up = false;               ///< up in the garment's file is +Y; else +Z
     float unit = 0;  ///< metres in a unit of the garment's file; 0: a garment's size decides
+    /// Of the scene garment: particles of a proxy (weft/proxy.h), about, over which the garment's own mesh is
+    /// drawn; 0: the mesh itself is simulated.
+    std::uint32_t simulated = 0;
 };
 
 /// A cloth of the scene, with its data for drawing.
@@ -40,6 +43,10 @@ struct SceneCloth {
     std::shared_ptr<const DrawnMesh> drawn{};  ///< how `fine` follows the cloth
     std::vector<Vec4> tints{};  ///< by vertex, as render::ClothFrame::colours; empty: the look's alone
 };
+
+/// Draws a finer mesh in place of the cloth, from the pose in which both are now. Error: DrawnMesh::bind()'s.
+[[nodiscard]] Result<void> draw_over(SceneCloth& cloth, const World& world, const Mesh& fine,
+                                     const DrawnMeshSettings& binding = {});
 
 /// The colour of drawn colliders: slate, neither the ground's nor any cloth's.
 inline constexpr Vec3 collider_colour{0.30f, 0.36f, 0.46f};

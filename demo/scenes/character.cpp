@@ -26,20 +26,6 @@ constexpr std::array<Vec3, 4> crowd_colours{
 
 constexpr float figure_edges = 64, crowd_edges = 38;  // of figures' meshes, from soles to crown
 
-/// Binds the garment's finer mesh, if there is one, to be drawn in place of its cloth.
-Result<void> bind_fine(const World& world, const Garment& garment, SceneCloth& cloth) {
-    if (garment.fine.positions.empty()) return {};
-    const auto view = world.cloth(cloth.id);
-    if (!view) return view.error();
-    auto drawn = DrawnMesh::bind(*view, {.vertices = garment.fine.positions,
-                                         .triangles = garment.fine.triangles,
-                                         .texcoords = garment.fine.texcoords});
-    if (!drawn) return drawn.error();
-    cloth.fine = garment.fine;
-    cloth.drawn = std::make_shared<const DrawnMesh>(std::move(*drawn));
-    return {};
-}
-
 class Walkers final : public Scene {
   public:
     Walkers(std::uint32_t rows, std::uint32_t columns, bool run = false)
@@ -64,7 +50,8 @@ class Walkers final : public Scene {
             const Vec3 colour = number == 0 ? character.garment().colour : crowd_colours[number % 4];
             SceneCloth& cloth = content.cloths.emplace_back(
                 SceneCloth{character.cloth(), character.garment().mesh, two_sided(colour)});
-            if (auto bound = bind_fine(world, character.garment(), cloth); !bound) return bound.error();
+            if (const Mesh& fine = character.garment().fine; !fine.positions.empty())
+                if (auto bound = draw_over(cloth, world, fine); !bound) return bound.error();
             content.clad_colliders.insert(content.clad_colliders.end(), character.colliders().begin(),
                                           character.colliders().end());
             content.solids.push_back(character.skin_places() ? skin_of(character)

@@ -91,8 +91,9 @@ TEST(Options, HelpIsNoError) {
     const auto* exit = std::get_if<EarlyExit>(&parsed);
     ASSERT_NE(exit, nullptr);
     EXPECT_EQ(exit->status, 0);
-    for (const char* option : {"--list", "--scene", "--garment", "--particles", "--threads", "--wind",
-                               "--headless", "--frames", "--out", "--trace", "--motion", "--export"}) {
+    for (const char* option :
+         {"--list", "--scene", "--garment", "--particles", "--simulate", "--threads", "--wind", "--headless",
+          "--frames", "--out", "--trace", "--motion", "--export"}) {
         EXPECT_NE(exit->text.find(option), std::string::npos) << option;
     }
 }
@@ -119,6 +120,15 @@ TEST(Options, ChooseTheScene) {
     EXPECT_STREQ((*choose_scene(options))->name, "character");
     options.scene_options.garment = "some.obj";
     EXPECT_STREQ((*choose_scene(options))->name, "character");
+    options.scene_options.motion.clear();
+    options.scene_options.simulated = 2000;
+    ASSERT_TRUE(choose_scene(options).ok());
+    for (const char* other : {"character", "sheet"}) {
+        options.scene = other;
+        options.scene_options.garment = std::string_view(other) == "sheet" ? "" : "some.obj";
+        ASSERT_FALSE(choose_scene(options).ok()) << "a proxy that would be left out of " << other;
+        EXPECT_NE(choose_scene(options).error().message.find("--simulate"), std::string::npos);
+    }
     options.scene_options = {};
     options.scene = "garment";
     EXPECT_FALSE(choose_scene(options).ok());

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "demo/character/garment/garment_mesh.h"
 #include "demo/options/method_table.h"
 
 namespace weft::demo {
@@ -109,6 +112,77 @@ TEST(Simulation, GoesOnAsItWasWhereARestartFails) {
     EXPECT_TRUE(made->restart().ok());
     EXPECT_EQ(made->time(), 0);
     std::filesystem::remove(file);
+}
+
+/// A tube with three pleats that stand out by 6 cm, their sides 2 mm apart, as a garment file.
+void write_pleated_tube(const std::filesystem::path& file) {
+    std::vector<std::array<double, 2>> ring;
+    for (int pleat = 0; pleat < 3; ++pleat) {
+        const double middle = 2.0943951 * pleat;
+        for (const auto& [radius, aside] :
+             {std::array{0.2, -0.001}, {0.26, -0.001}, {0.26, 0.001}, {0.2, 0.001}})
+            ring.push_back({radius * std::cos(middle) - aside * std::sin(middle),
+                            radius * std::sin(middle) + aside * std::cos(middle)});
+        for (int i = 1; i < 8; ++i) {
+            const double angle = middle + 2.0943951 * i / 8;
+            ring.push_back({0.2 * std::cos(angle), 0.2 * std::sin(angle)});
+        }
+    }
+    constexpr std::size_t rows = 9;
+    std::ofstream out(file);
+    for (std::size_t row = 0; row < rows; ++row)
+        for (const auto& [x, y] : ring)
+            out << "v " << x << ' ' << y << ' ' << 0.06 * static_cast<double>(row) << '\n';
+    for (std::size_t row = 0; row + 1 < rows; ++row)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const std::size_t a = row * ring.size() + i + 1,
+                              b = row * ring.size() + (i + 1) % ring.size() + 1;
+            out << "f " << a << ' ' << b << ' ' << b + ring.size() << "\nf " << a << ' ' << b + ring.size()
+                << ' ' << a + ring.size() << '\n';
+        }
+}
+
+/// The most by which an edge is longer than at rest [m].
+float most_stretched(const Mesh& now, const Mesh& rest) {
+    float most = 0;
+    for (const Triangle& t : rest.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto length = [&](const Mesh& mesh) {
+                return (to_vector(mesh.positions[t[k]]) - to_vector(mesh.positions[t[(k + 1) % 3]])).norm();
+            };
+            most = std::max(most, length(now) - length(rest));
+        }
+    return most;
+}
+
+TEST(Simulation, AGarmentsOwnMeshIsDrawnOverAProxy) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "weft_pleated_tube.obj";
+    write_pleated_tube(file);
+    SceneOptions options;
+    options.garment = file;
+    options.unit = 1;
+    options.particles = 6000;
+    options.simulated = 500;
+    auto made = Simulation::create(*find_scene("garment"), options, {});
+    std::filesystem::remove(file);
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    const SceneCloth& cloth = made->content().cloths.front();
+    ASSERT_TRUE(cloth.drawn);
+    EXPECT_NEAR(made->world().cloth_info(cloth.id)->particles, 500, 50);
+    EXPECT_EQ(count_openings(cloth.mesh), 2u) << "pleats are no second layer: the proxy is not torn";
+    const Mesh start = current_mesh(made->world(), made->content());
+    ASSERT_GT(start.positions.size(), 3000u);
+    ASSERT_EQ(start.triangles, cloth.fine.triangles);
+    for (std::size_t v = 0; v < start.positions.size(); ++v)
+        ASSERT_LT((to_vector(start.positions[v]) - to_vector(cloth.fine.positions[v])).norm(), 1e-5f) << v;
+    for (int step = 0; step < 60; ++step) made->step(1.0f / 60);
+    const Mesh after = current_mesh(made->world(), made->content());
+    EXPECT_LT(most_stretched(after, start), 0.05f) << "nothing drawn is left behind";
+    const ClothView& view = *made->world().cloth(cloth.id);
+    for (const Vec3& p : after.positions) {
+        ASSERT_GT(p.y, view.bounds.lower.y - 0.02f);
+        ASSERT_LT(p.y, view.bounds.upper.y + 0.02f);
+    }
 }
 
 TEST(Simulation, KeepsSettingsOverARestart) {
