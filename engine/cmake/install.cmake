@@ -5,11 +5,12 @@ include(GNUInstallDirs)
 
 set(weft_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/weft)
 
-# weft_install(export folders...): the rooms' libraries as weft::<room>, and their headers in include/weft.
+# weft_install(export folders...): the libraries of folders as weft::<folder>, and their headers in include/weft. The rooms' own
+# libraries are within a shared Weft.
 function(weft_install export)
   foreach(folder IN LISTS ARGN)
     get_filename_component(room ${folder} NAME)
-    if(NOT BUILD_SHARED_LIBS)
+    if(NOT BUILD_SHARED_LIBS OR NOT export STREQUAL "weftTargets")
       set_target_properties(weft_${room} PROPERTIES EXPORT_NAME ${room})
       install(TARGETS weft_${room} EXPORT ${export})
     endif()
@@ -18,16 +19,13 @@ function(weft_install export)
   install(EXPORT ${export} NAMESPACE weft:: DESTINATION ${weft_package_dir})
 endfunction()
 
-install(TARGETS weft EXPORT weftTargets)
-if(NOT BUILD_SHARED_LIBS)
-  set_target_properties(weft_options PROPERTIES EXPORT_NAME options)
-  install(TARGETS weft_options EXPORT weftTargets)
-endif()
+install(TARGETS weft weft_options EXPORT weftTargets)
+set_target_properties(weft_options PROPERTIES EXPORT_NAME options)
 weft_install(weftTargets engine collision cloth)
 if(WEFT_BUILD_RENDER AND NOT BUILD_SHARED_LIBS)  # it links the rooms' libraries
   weft_install(weftRenderTargets render)
 endif()
-if(TARGET weft_gltf AND NOT BUILD_SHARED_LIBS)
+if(TARGET weft_gltf)
   weft_install(weftGltfTargets demo/gltf)
 endif()
 install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

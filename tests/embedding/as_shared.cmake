@@ -23,6 +23,34 @@ run(${c_compiler} -std=c99 -DWEFT_SHARED -I ${weft_source}/cloth/include -I ${we
 get_filename_component(library_folder ${library} DIRECTORY)
 run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_folder} ${folder}/c_host ${folder})
 
+# weft::gltf is a static library beside the shared one: its install is set up there, and it needs the interface alone.
+if(EXISTS ${weft_build}/demo/gltf/libweft_gltf.a)
+  run(${CMAKE_COMMAND} -S ${weft_source} -B ${folder}/with_gltf -G ${generator} -D CMAKE_BUILD_TYPE=${build_type}
+    -D CMAKE_CXX_COMPILER=${cxx_compiler} -D BUILD_SHARED_LIBS=ON -D WEFT_BUILD_GLTF=ON -D WEFT_BUILD_RENDER=OFF
+    -D WEFT_BUILD_DEMO=OFF -D WEFT_BUILD_TESTS=OFF)
+  file(READ ${folder}/with_gltf/cmake_install.cmake installed)
+  foreach(wanted libweft_gltf.a weftGltfTargets.cmake demo/gltf/include)
+    if(NOT installed MATCHES "${wanted}")
+      fail("a shared Weft with weft::gltf does not install ${wanted}")
+    endif()
+  endforeach()
+  file(WRITE ${folder}/gltf.cpp "#include <weft/gltf.h>
+#include <cstdio>
+int main() {
+    const auto asset = weft::GltfAsset::load(\"none.glb\");
+    if (!asset) std::puts(asset.error().message.c_str());
+    return asset.ok() ? 1 : 0;
+}
+")
+  run(${cxx_compiler} -std=c++20 -DWEFT_SHARED -I ${weft_source}/demo/gltf/include -I ${weft_source}/cloth/include
+    -I ${weft_source}/engine/include ${folder}/gltf.cpp -o ${folder}/gltf_host ${weft_build}/demo/gltf/libweft_gltf.a ${draco}
+    ${library})
+  run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${library_folder} ${folder}/gltf_host)
+  if(NOT output MATCHES "none.glb: cannot be read")
+    fail("a host with weft::gltf and a shared Weft ran, but was told nothing:\n${output}")
+  endif()
+endif()
+
 find_program(python python3)
 if(python)
   run(${python} ${weft_source}/demo/embed/python/flag.py ${library} ${folder}/energy.svg)
