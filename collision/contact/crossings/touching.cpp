@@ -65,7 +65,8 @@ class TouchingPairs {
         const bool is_off_b = std::abs(off_b) > std::abs(off_a);
         const float off = is_off_b ? off_b : off_a;
         both = false;
-        if (std::abs(off) > least_rise * std::max(a.length, b.length))
+        // Against its own edges: what it stands on may have much longer ones.
+        if (std::abs(off) > least_rise * (is_off_b ? a.length : b.length))
             return std::copysign(1.0f, off) * (is_off_b ? b.normal : a.normal);
         both = a.normal.dot(b.normal) < 0;
         if (both) return (a.normal - b.normal).stableNormalized();

@@ -99,6 +99,7 @@ std::vector<Case> cases() {
             {"Beside", {level(), level(size)}},
             {"Standing", {level(), upright()}},
             {"StandingFirst", {upright(), level()}},
+            {"StandingOnCoarse", {level(0, 0, 2), upright()}},
             {"Folded", {folded()}},
             {"FlatCushion", {flat_cushion()}},
             {"CutInTwo", {cut_in_two()}},
