@@ -269,7 +269,11 @@ bool FeatureContact::crosses_anew(Parallel& parallel) {
         for (std::uint32_t i = range.begin; i < range.end; ++i)
             set_xyz(base_[i], xyz(start_[i]) + xyz(displacements_[i]));
     });
-    finder_.find_crossings(parallel, bodies_.span(), base_.span(), crossings_);
+    return any_crosses(parallel, base_.span());
+}
+
+bool FeatureContact::any_crosses(Parallel& parallel, std::span<const Vec4> positions) {
+    finder_.find_crossings(parallel, bodies_.span(), positions, crossings_);
     return crossings_.size > 0;
 }
 

@@ -145,6 +145,8 @@ class FeatureContact {
     void leave_borders_to_faces();
     void find_tangles(Parallel& parallel);
     bool part_touching(Parallel& parallel);
+    /// Finds the crossings of features at these positions. Returns true if there are any.
+    [[nodiscard]] bool any_crosses(Parallel& parallel, std::span<const Vec4> positions);
     [[nodiscard]] std::span<const std::uint8_t> find_exempt(Parallel& parallel);
     [[nodiscard]] bool are_near_at_rest(const FeaturePair& pair, std::uint32_t corners_of_a) const;
     /// Search radius: one of the lengths of each cloth, and a factor for pairs at borders.

@@ -104,8 +104,7 @@ bool FeatureContact::part_touching(Parallel& parallel) {
         find(parallel, {}, {&ContactCloth::floor}, FullList::has_the_first);
     }
     if (!any) return false;
-    if (!may_cross_) finder_.find_crossings(parallel, bodies_.span(), start_.span(), crossings_);
-    if (!may_cross_ && crossings_.size > 0)
+    if (!may_cross_ && any_crosses(parallel, start_.span()))
         std::ranges::copy(displacements_.span(), start_.data());
     else
         remember_nothing();  // crossings are looked for: a mesh may be folded into itself

@@ -44,7 +44,7 @@ void ColliderMotion::note(ColliderId id, const Collider& collider, std::uint64_t
         motion.now = collider;  // hands may have changed it
         return;
     }
-    // Of several steps since the last picture, the way is shared out evenly.
+    // Several steps since the last picture share the way out evenly.
     const bool follows = step > motion.step;
     const float share = follows ? 1 - 1 / static_cast<float>(step - motion.step) : 1;
     const Collider last = motion.now;

@@ -1,5 +1,5 @@
 #pragma once
-// Where colliders are drawn between two steps: as late as the cloth that lies on them.
+// Colliders are drawn between two steps, as late as the cloth that lies on them: their places there.
 
 #include <cstdint>
 #include <map>

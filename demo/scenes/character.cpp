@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "demo/character/body/body_figure.h"
+#include "demo/character/figure/body_figure.h"
 #include "demo/character/garment/wear.h"
 #include "demo/scene.h"
 #include "demo/scenes/dolls.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "demo/character/body/figure.h"
+#include "demo/character/figure/figure.h"
 #include "demo/scene.h"
 
 namespace weft::demo {
@@ -22,7 +22,7 @@ inline constexpr std::array<Complexion, 5> complexions{
      {{0.40f, 0.22f, 0.13f}, {0.03f, 0.018f, 0.012f}, {0.04f, 0.05f, 0.12f}},
      {{0.60f, 0.39f, 0.29f}, {0.42f, 0.26f, 0.10f}, {0.05f, 0.05f, 0.06f}}}};
 
-/// What a figure wears by itself.
+/// Clothes that are painted on a figure, under those that are cloth.
 struct Suit {
     bool has_sleeves = true;  ///< covers the upper arms, besides trunk and legs
     Vec3 colour{0.07f, 0.08f, 0.10f};

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "demo/character/body/figure.h"
+#include "demo/character/figure/figure.h"
 #include "demo/scene.h"
 #include "demo/scenes/dolls.h"
 #include "demo/scenes/measures.h"

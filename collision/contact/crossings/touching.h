@@ -10,7 +10,7 @@
 
 namespace weft {
 
-/// Whether any pair touches within rounding.
+/// Returns true if any pair touches within rounding.
 [[nodiscard]] bool any_touch(std::span<const ContactBody> bodies, const PairList& pairs,
                              std::span<const Vec4> positions);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "demo/character/body/body_figure.h"
+#include "demo/character/figure/body_figure.h"
 #include "demo/character/motion/generated_walk.h"
 
 namespace weft::demo {

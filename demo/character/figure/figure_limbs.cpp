@@ -1,4 +1,4 @@
-#include "demo/character/body/figure_limbs.h"
+#include "demo/character/figure/figure_limbs.h"
 
 #include "engine/least_turn.h"
 

@@ -1,4 +1,4 @@
-#include "demo/character/body/figure_field.h"
+#include "demo/character/figure/figure_field.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "demo/character/body/body_figure.h"
+#include "demo/character/figure/body_figure.h"
 
 namespace weft::demo {
 namespace {

@@ -1,11 +1,11 @@
-#include "demo/character/body/figure.h"
+#include "demo/character/figure/figure.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "demo/character/body/surface_nets.h"
+#include "demo/character/figure/surface_nets.h"
 
 namespace weft::demo {
 namespace {

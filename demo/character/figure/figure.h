@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "demo/character/body/figure_field.h"
-#include "demo/character/body/figure_limbs.h"
+#include "demo/character/figure/figure_field.h"
+#include "demo/character/figure/figure_limbs.h"
 #include "weft/mesh.h"
 
 namespace weft::demo {

@@ -1,4 +1,4 @@
-#include "demo/character/body/surface_nets.h"
+#include "demo/character/figure/surface_nets.h"
 
 #include <algorithm>
 #include <cmath>

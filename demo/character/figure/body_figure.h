@@ -1,7 +1,7 @@
 #pragma once
 // The figure of a body that follows a skeleton.
 
-#include "demo/character/body/figure.h"
+#include "demo/character/figure/figure.h"
 
 namespace weft::demo {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "demo/character/body/figure_limbs.h"
 #include "demo/character/body/round_cone.h"
+#include "demo/character/figure/figure_limbs.h"
 
 namespace weft::demo {
 
