@@ -181,10 +181,10 @@ Stencil RingOrder::stencil(const ClothModel& model) const {
         rows.push_back(static_cast<std::uint32_t>(neighbours.size()));
     }
     Stencil made(rows, neighbours, Stencil::Order::as_given);
-    SharedBuffer<std::uint32_t> entries(model.neighbours.size());
+    SharedBuffer<std::uint16_t> slot_of(model.neighbours.size());
     for (std::size_t k = 0; k < half_edges.size(); ++k)
-        if (half_edges[k] != none) entries[half_edges[k]] = made.entries[k];
-    made.entries = std::move(entries);
+        if (half_edges[k] != none) slot_of[half_edges[k]] = made.slot_of[k];
+    made.slot_of = std::move(slot_of);
     return made;
 }
 

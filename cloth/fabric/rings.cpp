@@ -29,9 +29,11 @@ Rings::Rings(const ClothModel& model, const RingOrder& order, const SpringMatrix
       corners_(model.rows == 0 ? 3 * model.triangles.size() : 0) {
     springs_ = SharedBuffer<float>(std::size_t{count} * lanes * matrix.places());
     if (stiffens) stiffening_ = SharedBuffer<float>(std::size_t{stiffening_count} * lanes * matrix.places());
-    for (std::uint32_t e = 0; e < model.neighbours.size(); ++e) {
-        bending_[matrix.stencil.entries[e]] = model.bending[e];
-        stiffest_bending_ = std::max(stiffest_bending_, std::abs(model.bending[e]));
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            bending_[matrix.stencil.entry(i, e)] = model.bending[e];
+            stiffest_bending_ = std::max(stiffest_bending_, std::abs(model.bending[e]));
+        }
     }
     for (std::uint32_t i = 0; i < last_.size(); ++i) last_[i] = std::min(i, model.particle_count - 1);
     const auto name = [&](std::uint32_t triangle, std::uint32_t particle, const RingPlace& a,
@@ -40,7 +42,8 @@ Rings::Rings(const ClothModel& model, const RingOrder& order, const SpringMatrix
         const Triangle& corners = model.triangles[triangle];
         const std::uint32_t k = corner_at(corners, particle);
         const bool starts_with_b = corners[(k + 1) % 3] != model.neighbours[a.half_edge];
-        corners_[std::size_t{3} * triangle + k] = 2 * (place * lanes + particle % lanes) + starts_with_b;
+        const std::uint32_t in_group = place - matrix.group_places[particle / lanes];
+        corners_[std::size_t{3} * triangle + k] = static_cast<std::uint16_t>(2 * in_group + starts_with_b);
     };
     for (std::uint32_t i = 0; i < model.particle_count; ++i) {
         const std::uint32_t opening = matrix.group_places[i / lanes];
@@ -66,7 +69,7 @@ bool Rings::is_sound(const ClothModel& model, std::size_t places, std::size_t en
            stiffening_.size() == (stiffens ? stiffening_count * lanes * places : 0) &&
            bending_.size() == entries && last_.size() == particles && closes_.size() == places &&
            corners_.size() == (model.rows == 0 ? 3 * model.triangles.size() : 0) &&
-           are_below(last_.span(), model.particle_count) && are_below(corners_.span(), 2 * lanes * places);
+           are_below(last_.span(), model.particle_count);
 }
 
 void Rings::make_own() {
@@ -83,6 +86,15 @@ void Rings::set(const ClothModel& model, const SpringMatrix& matrix, const Fabri
         set_cells(model, matrix, fabric);
     else
         set_triangles(model, matrix, fabric);
+}
+
+Rings::Corner Rings::corner_of(const ClothModel& model, const SpringMatrix& matrix, std::uint32_t triangle,
+                               std::uint32_t k) const noexcept {
+    const std::uint32_t particle = model.triangles[triangle][k], group = particle / lanes,
+                        corner = corners_[std::size_t{3} * triangle + k];
+    // The clamp matters only for a corrupt file: it keeps the place within the group.
+    const std::uint32_t place = matrix.group_places[group] + std::min(corner / 2, matrix.springs_of(group));
+    return {place * lanes + particle % lanes, corner % 2 != 0};
 }
 
 // The tension of side k is sum_m C'_km (l_m - L_m), over its triangles.
@@ -103,19 +115,20 @@ void Rings::set_triangles(const ClothModel& model, const SpringMatrix& matrix,
                 number(place, Number::at_zero) += static_cast<float>(offset);
                 stiffest_ = std::max(stiffest_, number(place, stiffness));
             }
-            const std::uint32_t corner = corners_[std::size_t{3} * t + k];
-            const auto [a, b, third] = sides_at(k, corner % 2 != 0);
-            number(corner / 2, other) = static_cast<float>(membrane.shared[a][b]);
-            number(corner / 2, third_a) = static_cast<float>(membrane.shared[a][third]);
-            number(corner / 2, third_b) = static_cast<float>(membrane.shared[b][third]);
+            const Corner corner = corner_of(model, matrix, t, k);
+            const auto [a, b, third] = sides_at(k, corner.starts_with_b);
+            number(corner.place, other) = static_cast<float>(membrane.shared[a][b]);
+            number(corner.place, third_a) = static_cast<float>(membrane.shared[a][third]);
+            number(corner.place, third_b) = static_cast<float>(membrane.shared[b][third]);
         }
-        if (stiffening_.size() > 0) extra = std::max(extra, set_stiffening(model, t, membrane, fabric));
+        if (stiffening_.size() > 0)
+            extra = std::max(extra, set_stiffening(model, matrix, t, membrane, fabric));
     }
     stiffest_ += 2 * extra;  // a spring is a side of two triangles
 }
 
-float Rings::set_stiffening(const ClothModel& model, std::uint32_t triangle, const TriangleMembrane& membrane,
-                            const Fabric& fabric) noexcept {
+float Rings::set_stiffening(const ClothModel& model, const SpringMatrix& matrix, std::uint32_t triangle,
+                            const TriangleMembrane& membrane, const Fabric& fabric) noexcept {
     const TriangleStiffening stiffening = triangle_stiffening(model, triangle, fabric);
     std::array<double, 3> pulled{};  // stiffness added where the law is steepest, by both axes [N/m]
     for (std::uint32_t axis = 0; axis < 2; ++axis) {
@@ -128,14 +141,14 @@ float Rings::set_stiffening(const ClothModel& model, std::uint32_t triangle, con
         for (std::uint32_t k = 0; k < 3; ++k) {
             pulled[k] += stiffening.moduli[axis] * 2 * last_stiffening_strain *
                          std::max(v[k] * v[k], least_bound * sum * std::abs(v[k]));
-            const std::uint32_t corner = corners_[std::size_t{3} * triangle + k];
-            const auto [a, b, third] = sides_at(k, corner % 2 != 0);
+            const auto [place, starts_with_b] = corner_of(model, matrix, triangle, k);
+            const auto [a, b, third] = sides_at(k, starts_with_b);
             const std::uint32_t first = axis * axis_count;
-            number(corner / 2, first + by_a) = static_cast<float>(v[a]);
-            number(corner / 2, first + by_b) = static_cast<float>(v[b]);
-            number(corner / 2, first + by_third) = static_cast<float>(v[third]);
-            number(corner / 2, first + strain_at_zero) = static_cast<float>(offset);
-            number(corner / 2, first + modulus) = static_cast<float>(stiffening.moduli[axis]);
+            number(place, first + by_a) = static_cast<float>(v[a]);
+            number(place, first + by_b) = static_cast<float>(v[b]);
+            number(place, first + by_third) = static_cast<float>(v[third]);
+            number(place, first + strain_at_zero) = static_cast<float>(offset);
+            number(place, first + modulus) = static_cast<float>(stiffening.moduli[axis]);
         }
     }
     return static_cast<float>(*std::ranges::max_element(pulled));

@@ -110,15 +110,21 @@ class Rings {
     void set_triangles(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
     void set_cells(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
     /// Returns the greatest stiffness that stiffening adds to a side [N/m].
-    float set_stiffening(const ClothModel& model, std::uint32_t triangle, const TriangleMembrane& membrane,
-                         const Fabric& fabric) noexcept;
+    float set_stiffening(const ClothModel& model, const SpringMatrix& matrix, std::uint32_t triangle,
+                         const TriangleMembrane& membrane, const Fabric& fabric) noexcept;
 
     SharedBuffer<float> springs_, stiffening_, bending_;
     SharedBuffer<std::uint32_t> last_;
     SharedBuffer<std::uint16_t> closes_;
-    /// The place * 16 + lane of each corner of each triangle, times 2; plus 1 where side b leads to the
-    /// triangle's next corner.
-    SharedBuffer<std::uint32_t> corners_;
+    /// A triangle's corner, as the ring of its particle has it.
+    struct Corner {
+        std::uint32_t place;  ///< place * 16 + lane
+        bool starts_with_b;   ///< side b leads to the triangle's next corner
+    };
+    [[nodiscard]] Corner corner_of(const ClothModel& model, const SpringMatrix& matrix,
+                                   std::uint32_t triangle, std::uint32_t k) const noexcept;
+    /// By triangle and corner: twice the place, counted in its group; plus 1 where side b starts.
+    SharedBuffer<std::uint16_t> corners_;
     ScratchArray<std::uint16_t> directions_, reached_;
     float stiffest_ = 0, stiffest_bending_ = 0;
 };

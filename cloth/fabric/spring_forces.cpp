@@ -16,9 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {
 namespace {
 
-/// Rest lengths, stiffness and bending of the lanes of an entry.
-struct EntryLanes {
-    Lanes rest_length, stiffness, bending;
+/// Rest lengths and stiffness of the lanes of a place.
+struct SpringLanes {
+    Lanes rest_length, stiffness;
 };
 
 /// TableLanes holds the addresses of a table's lists. Each kernel has its own copy: from the state, the
@@ -26,41 +26,28 @@ struct EntryLanes {
 /// cost no more.
 template <bool stiffens>
 class TableLanes {
-    using SlotKind = SpringTable::SlotKind;
-
   public:
     HWY_INLINE explicit TableLanes(const SpringTable& table)
-        : slots_(table.slots()),
-          rest_lengths_(table.rest_lengths()),
+        : rest_lengths_(table.rest_lengths()),
           stiffness_(table.stiffness()),
           bending_(table.bending()),
           stiffening_(table.stiffening()) {}
 
-    [[nodiscard]] HWY_INLINE Lanes bending(std::uint32_t entry) const {
-        const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
-        return slot.kind == SlotKind::same_bending ? set(slot.entry.bending) : load_lanes(bending_ + entry);
-    }
+    [[nodiscard]] HWY_INLINE Lanes bending(std::uint32_t entry) const { return load_lanes(bending_ + entry); }
     /// The linear springs that have the tension and slope of the entries' springs at a length: spring_at(),
-    /// lane by lane. Precondition: the entries' slot has springs.
-    [[nodiscard]] HWY_INLINE EntryLanes springs(std::uint32_t entry, Lanes length) const {
-        const SpringTable::Slot& slot = slots_[entry / Stencil::lanes];
-        if constexpr (!stiffens) {
-            if (slot.kind == SlotKind::same)
-                return {set(slot.entry.rest_length), set(slot.entry.stiffness), set(slot.entry.bending)};
-        }
-        const EntryLanes of{load_lanes(rest_lengths_ + entry), load_lanes(stiffness_ + entry),
-                            load_lanes(bending_ + entry)};
+    /// lane by lane.
+    [[nodiscard]] HWY_INLINE SpringLanes springs(std::uint32_t place, Lanes length) const {
+        const SpringLanes of{load_lanes(rest_lengths_ + place), load_lanes(stiffness_ + place)};
         if constexpr (!stiffens) return of;
         const Lanes strain = hn::Sub(hn::Div(length, of.rest_length), set(1));
         const Lanes c = hn::Min(hn::Max(strain, set(0)), set(static_cast<float>(last_stiffening_strain)));
-        const Lanes half = hn::Mul(load_lanes(stiffening_ + entry), c);
+        const Lanes half = hn::Mul(load_lanes(stiffening_ + place), c);
         const Lanes slope = hn::MulAdd(set(2), half, of.stiffness);
         const Lanes longer = hn::Div(hn::Mul(half, c), hn::Max(slope, set(1e-30f)));
-        return {hn::MulAdd(of.rest_length, longer, of.rest_length), slope, of.bending};
+        return {hn::MulAdd(of.rest_length, longer, of.rest_length), slope};
     }
 
   private:
-    const SpringTable::Slot* slots_;
     const float *rest_lengths_, *stiffness_, *bending_, *stiffening_;
 };
 
@@ -68,6 +55,7 @@ class TableLanes {
 struct Slot {
     std::uint32_t number;  ///< index of the diagonal
     std::uint32_t entry;
+    std::uint32_t place;  ///< of its springs
     Lanes3 separation;
 };
 
@@ -85,8 +73,8 @@ class SpringsOfGrid {
 
     HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
                               Vec4* right_side) {
-        constexpr std::size_t in_slot = 4 * Stencil::lanes;
-        alignas(64) std::uint16_t not_stored[Diagonals::most * in_slot];  // of the halo: another tile's rows
+        // Of the halo, which is another tile's rows.
+        alignas(64) std::uint16_t not_stored[std::size_t{4} * Diagonals::most * Stencil::lanes];
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             read_ahead();
             const Lanes3 v_i = loop_.own(velocity);
@@ -100,7 +88,12 @@ class SpringsOfGrid {
             };
             loop_.take_from_far(take);
             std::uint16_t* const coefficients =
-                i < range.begin ? not_stored : &matrix.coefficients[lane_index(diagonals_.entry(i, 0), 0, 4)];
+                i < range.begin ? not_stored
+                                : matrix.coefficients.data() +
+                                      matrix.halves_of_diagonal(i / Stencil::lanes, 0) + i % Stencil::lanes;
+            const auto halves = [&](const Slot& slot) HWY_ATTR {
+                return coefficients + matrix.halves_of_diagonal(0, slot.number);
+            };
             const auto bend = [&](const Slot& slot, const Lanes3& v, Lanes3& force) HWY_ATTR {
                 if (!equations.has_bending) return set(0);
                 const Lanes weight = hn::Mul(set(equations.rigidity), tables_.bending(slot.entry));
@@ -119,7 +112,7 @@ class SpringsOfGrid {
                     SpringBlockLanes block =
                         equations.add_force(springs_at(slot, i, ends, equations.elastic), v, force);
                     block.a = hn::Add(block.a, bend(slot, v, force));
-                    const SpringBlockLanes stored = store_block(block, coefficients + slot.number * in_slot);
+                    const SpringBlockLanes stored = store_block(block, halves(slot));
                     loop_.give(slot.number, force.x, force.y, force.z, stored.d.x, stored.d.y, stored.d.z,
                                stored.a);
                     sums.force = sums.force + force;
@@ -127,8 +120,7 @@ class SpringsOfGrid {
                 },
                 [&](const Slot& slot) HWY_ATTR {
                     Lanes3 force = zero3();
-                    const Lanes a =
-                        store_halves(bend(slot, relative(slot), force), coefficients + slot.number * in_slot);
+                    const Lanes a = store_halves(bend(slot, relative(slot), force), halves(slot));
                     loop_.give(slot.number, force.x, force.y, force.z, a);
                     sums.force = sums.force + force;
                     sums.a = hn::Add(sums.a, a);
@@ -183,7 +175,7 @@ class SpringsOfGrid {
     }
     /// The springs of a slot; forces are multiplied by `unit`.
     HWY_INLINE Springs springs_at(const Slot& slot, std::uint32_t i, const Ends& ends, float unit) const {
-        const EntryLanes of = tables_.springs(slot.entry, ends.length);
+        const SpringLanes of = tables_.springs(slot.place, ends.length);
         const Lanes stiffness = hn::Mul(set(unit), of.stiffness);
         return springs_between(ends, hn::Mul(stiffness, hn::Sub(ends.length, of.rest_length)), stiffness,
                                state_.matrix, slot.entry, i);
@@ -196,6 +188,7 @@ class SpringsOfGrid {
         const Lanes3 x_i = loop_.own(position);
         const std::uint32_t first = diagonals_.entry(i, 0);
         const auto entry = [&](std::uint32_t d) { return first + d * Stencil::lanes; };
+        std::uint32_t place = state_.matrix.first_place(i);
         std::uint32_t d = next_with_springs(0);
         Ends next = ends_apart(loop_.later(position, d) - x_i);
         while (d < loop_.diagonals()) {
@@ -203,10 +196,11 @@ class SpringsOfGrid {
             const Ends ends = next;
             d = next_with_springs(d + 1);
             if (d < loop_.diagonals()) next = ends_apart(loop_.later(position, d) - x_i);
-            springs({now, entry(now), ends.separation}, ends);
+            springs({now, entry(now), place, ends.separation}, ends);
+            place += Stencil::lanes;
         }
         for (d = 0; d < loop_.diagonals(); ++d)
-            if (state_.matrix.isotropic[d]) bending({d, entry(d), loop_.later(position, d) - x_i});
+            if (state_.matrix.isotropic[d]) bending({d, entry(d), 0, loop_.later(position, d) - x_i});
     }
     /// Returns the first diagonal with springs from `d` on, or diagonals(). Diagonal 0 has springs.
     [[nodiscard]] HWY_INLINE std::uint32_t next_with_springs(std::uint32_t d) const {

@@ -90,11 +90,13 @@ class RowsOfGrid {
 
   private:
     HWY_INLINE Lanes3 add_later(std::uint32_t i, const Lanes3& x_i, Lanes3 sum) const {
-        const std::uint16_t* block = &matrix_.coefficients[lane_index(matrix_.diagonals.entry(i, 0), 0, 4)];
-        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d, block += std::size_t{4} * Stencil::lanes) {
+        const std::uint16_t* block = matrix_.coefficients.data() +
+                                     matrix_.halves_of_diagonal(i / Stencil::lanes, 0) + i % Stencil::lanes;
+        for (std::uint32_t d = 0; d < loop_.diagonals(); ++d) {
             const Lanes3 apart = x_i - loop_.later(0, d);
-            const Lanes3 term =
-                matrix_.isotropic[d] ? load_halves(block) * apart : times(load_block(block), apart);
+            const bool only_bends = matrix_.isotropic[d];
+            const Lanes3 term = only_bends ? load_halves(block) * apart : times(load_block(block), apart);
+            block += only_bends ? Stencil::lanes : 4 * Stencil::lanes;
             loop_.give(d, term.x, term.y, term.z);
             sum = sum + term;
         }
@@ -193,9 +195,10 @@ struct SlotHalves {
 };
 SlotHalves halves_of(const SpringMatrix& matrix, std::uint32_t slot) {
     const std::uint16_t* const all = matrix.coefficients.data();
-    if (!matrix.diagonals.empty())
-        return {all + std::size_t{4} * slot * Stencil::lanes,
-                !matrix.isotropic[slot % matrix.diagonals.count]};
+    if (!matrix.diagonals.empty()) {
+        const std::uint32_t d = slot % matrix.diagonals.count;
+        return {all + matrix.halves_of_diagonal(slot / matrix.diagonals.count, d), !matrix.isotropic[d]};
+    }
     const std::uint32_t group = matrix.stencil.group_of(slot), first = matrix.stencil.group_slots[group];
     return {all + matrix.halves(group, slot - first), slot - first < matrix.springs_of(group)};
 }

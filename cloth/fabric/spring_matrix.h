@@ -31,6 +31,15 @@ struct SpringMatrix {
     SpringMatrix(Stencil of_rings, SharedBuffer<std::uint32_t> places, const Diagonals& of_grid)
         : stencil(std::move(of_rings)), group_places(std::move(places)), diagonals(of_grid) {}
     void lay_out(Scratch& scratch);
+    /// Marks the diagonals of a grid that no spring is along, by bits.
+    void set_isotropic(std::uint32_t bits) noexcept {
+        spring_diagonals = 0;
+        for (std::uint32_t d = 0; d < diagonals.count; ++d) {
+            isotropic[d] = (bits >> d & 1) != 0;
+            ranks[d] = spring_diagonals;
+            spring_diagonals += isotropic[d] ? 0 : 1;
+        }
+    }
     /// Chooses the unit so that blocks A of up to `largest_block` [kg] fit half precision.
     void set_unit(float largest_block);
 
@@ -39,11 +48,24 @@ struct SpringMatrix {
     }
     /// The place * 16 + lane of half-edge e of node i, which is a spring's; see Rings.
     [[nodiscard]] std::uint32_t place(std::uint32_t i, std::uint32_t e) const {
-        const std::uint32_t group = i / Stencil::lanes, entry = stencil.entries[e];
-        const std::uint32_t slot = entry / Stencil::lanes - stencil.group_slots[group];
+        const std::uint32_t group = i / Stencil::lanes, slot = stencil.slot_of[e];
         // The clamp matters only for a corrupt file: it keeps the place within the group.
         return (group_places[group] + std::min(slot + 1, springs_of(group))) * Stencil::lanes +
-               entry % Stencil::lanes;
+               i % Stencil::lanes;
+    }
+    /// The springs of a grid have places of their own, laid out as entries, but for the diagonals that have
+    /// springs only: the place of an entry on such a diagonal, particle i's first one, and their number.
+    [[nodiscard]] std::uint32_t spring_place(std::uint32_t entry) const noexcept {
+        const std::uint32_t slot = entry / Stencil::lanes, group = slot / diagonals.count;
+        // The diagonal has springs, except in a corrupt file.
+        const std::uint32_t rank = std::min(ranks[slot % diagonals.count], spring_diagonals - 1);
+        return (group * spring_diagonals + rank) * Stencil::lanes + entry % Stencil::lanes;
+    }
+    [[nodiscard]] std::uint32_t first_place(std::uint32_t i) const noexcept {
+        return i / Stencil::lanes * spring_diagonals * Stencil::lanes + i % Stencil::lanes;
+    }
+    [[nodiscard]] std::size_t spring_places() const noexcept {
+        return std::size_t{diagonals.groups()} * spring_diagonals * Stencil::lanes;
     }
     /// The number of a group's slots that have springs. These slots come first.
     [[nodiscard]] std::uint32_t springs_of(std::uint32_t group) const {
@@ -54,6 +76,12 @@ struct SpringMatrix {
         const std::size_t before =
             stencil.group_slots[group] + std::size_t{3} * (group_places[group] - group);
         return Stencil::lanes * (before + halves_before(slot, springs_of(group)));
+    }
+    /// The index of the first half of a diagonal's slot in a grid's group.
+    [[nodiscard]] std::size_t halves_of_diagonal(std::uint32_t group, std::uint32_t d) const noexcept {
+        const std::size_t slots = std::size_t{group} * diagonals.count + d,
+                          springs = std::size_t{group} * spring_diagonals + ranks[d];
+        return Stencil::lanes * (slots + 3 * springs);
     }
     /// The number of arrays of 16 halves before a slot, in a group with so many slots of springs.
     [[nodiscard]] static constexpr std::uint32_t halves_before(std::uint32_t slot, std::uint32_t springs) {
@@ -75,6 +103,8 @@ struct SpringMatrix {
     Diagonals diagonals;  ///< empty: the matrix is one of rings
     /// Diagonals with bending alone: d is 0, and neither written nor read.
     std::array<bool, Diagonals::most> isotropic{};
+    std::array<std::uint32_t, Diagonals::most> ranks{};  ///< by diagonal: those with springs before it
+    std::uint32_t spring_diagonals = 0;
     float unit = 1;                            ///< of d [sqrt(kg)]; a has its square; a power of two
     ScratchArray<std::uint16_t> coefficients;  ///< per 16 entries 16 a, d_x, d_y, d_z; see halves()
     ScratchArray<float> row_sums;              ///< r_i [kg]; 0 for pinned particles, whose rows count as 0
@@ -82,7 +112,7 @@ struct SpringMatrix {
     ScratchArray<float> inverse_diagonal;  ///< per group 16 xx, yy, zz, xy, xz, yz; 0 for pinned particles
 
     [[nodiscard]] std::size_t all_halves() const noexcept {
-        if (!diagonals.empty()) return 4 * entries();
+        if (!diagonals.empty()) return entries() + 3 * spring_places();
         return Stencil::lanes * (stencil.slots() + std::size_t{3} * (places() - stencil.groups()));
     }
     [[nodiscard]] std::size_t bytes() const noexcept { return stencil.bytes() + group_places.bytes(); }

@@ -48,12 +48,13 @@ SpringSystem::SpringSystem(const ClothModel& model, bool stiffens)
         no_lists.nodes = model.particle_count;
         matrix_ = SpringMatrix(std::move(no_lists), {}, diagonals);
         windows_ = GridWindows(diagonals, 7);
-        table_ = SpringTable(model, matrix_, stiffens);
-        matrix_.isotropic.fill(true);
+        std::uint32_t isotropic = ~0u;
         for_each_entry(model, matrix_, [&](std::uint32_t e, std::uint32_t entry) {
             if (model.kinds[e] != SpringKind::bending)
-                matrix_.isotropic[entry / Stencil::lanes % diagonals.count] = false;
+                isotropic &= ~(1u << entry / Stencil::lanes % diagonals.count);
         });
+        matrix_.set_isotropic(isotropic);
+        table_ = SpringTable(model, matrix_, stiffens);
     } else {
         const RingOrder order(model);
         matrix_ = SpringMatrix(order.stencil(model), places_of(order, model.particle_count), {});
@@ -71,8 +72,7 @@ SpringSystem::SpringSystem(const ClothModel& model, SavedSprings&& saved)
       table_(std::move(saved.table)),
       rings_(std::move(saved.rings)) {
     windows_ = GridWindows(matrix_.diagonals, 7);
-    for (std::uint32_t d = 0; d < matrix_.diagonals.count; ++d)
-        matrix_.isotropic[d] = (saved.isotropic >> d & 1) != 0;
+    matrix_.set_isotropic(saved.isotropic);
 }
 
 void SpringSystem::lay_out(Scratch& scratch) {
@@ -99,7 +99,7 @@ bool SavedSprings::is_sound(const ClothModel& model, bool stiffens) const {
     if (!are_from_zero(numbers)) return false;
     if (!diagonals.empty())
         return stencil.nodes == model.particle_count && stencil.neighbours.empty() && rings.empty() &&
-               table.is_sound(entries(), stiffens);
+               (isotropic & 1) == 0 && table.is_sound(entries(), spring_places(), stiffens);
     return stencil.is_sound(model.particle_count, model.neighbours.size()) && are_places(places, stencil) &&
            table.empty() && rings.is_sound(model, places[stencil.groups()], entries(), stiffens);
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Springs as the linear system of an implicit step.
 
+#include <bit>
 #include <memory>
 #include <optional>
 
@@ -40,6 +41,11 @@ struct SavedSprings {
     [[nodiscard]] bool is_sound(const ClothModel& model, bool stiffens) const;
     [[nodiscard]] std::size_t entries() const noexcept {
         return diagonals.empty() ? stencil.neighbours.size() : diagonals.entries();
+    }
+    /// See SpringMatrix::spring_places(). Precondition: the diagonals are known.
+    [[nodiscard]] std::size_t spring_places() const noexcept {
+        const std::uint32_t along = ~isotropic & ((1u << diagonals.count) - 1);
+        return diagonals.entries() / diagonals.count * static_cast<std::size_t>(std::popcount(along));
     }
 };
 

@@ -21,14 +21,8 @@ void for_each_entry(const ClothModel& model, const SpringMatrix& matrix, const B
     }
 }
 
-/// One spring, and the bending of rigidity 1 between its ends.
-struct SpringEntry {
-    float rest_length;  ///< [m]
-    float stiffness;    ///< [N/m]
-    float bending;      ///< [1/m^2]
-};
-
-/// Numbers are stored per entry, and once per slot of 16 where all lanes agree, as most of a sheet's do.
+/// Numbers are stored per entry: those of bending for all diagonals, those of springs for the diagonals that
+/// have any.
 class SpringTable {
   public:
     SpringTable() = default;
@@ -38,24 +32,15 @@ class SpringTable {
     void make_own();
     /// Computes the springs of a fabric, in O(springs). Precondition: make_own().
     void set(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
-    [[nodiscard]] bool empty() const noexcept { return slots_.empty(); }
+    [[nodiscard]] bool empty() const noexcept { return bending_.empty(); }
 
-    enum class SlotKind : std::uint32_t {
-        mixed,         ///< lanes differ
-        same,          ///< all lanes are as Slot::entry says
-        same_bending,  ///< all lanes have Slot::entry's bending and no spring
-        bending,       ///< no spring in any lane
-    };
-    struct Slot {
-        SpringEntry entry;
-        SlotKind kind;
-    };
-    [[nodiscard]] const Slot* slots() const noexcept { return slots_.data(); }
+    /// By the place of a spring, see SpringMatrix::spring_place().
     [[nodiscard]] const float* rest_lengths() const noexcept { return rest_lengths_.data(); }
     [[nodiscard]] const float* stiffness() const noexcept { return stiffness_.data(); }
-    [[nodiscard]] const float* bending() const noexcept { return bending_.data(); }
     /// q [N/m], see spring_at(); null: the springs do not stiffen.
     [[nodiscard]] const float* stiffening() const noexcept { return stiffening_.data(); }
+    /// By entry: the bending of rigidity 1 between its ends [1/m^2].
+    [[nodiscard]] const float* bending() const noexcept { return bending_.data(); }
 
     [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< at any stretch [N/m]
     [[nodiscard]] float stiffest_bending() const noexcept { return stiffest_bending_; }  ///< B = 1 [1/m^2]
@@ -68,22 +53,18 @@ class SpringTable {
         visit(self.stiffness_);
         visit(self.bending_);
         visit(self.stiffening_);
-        visit(self.slots_);
     }
-    /// Whether lists that were read have the sizes for so many entries, and valid kinds.
-    [[nodiscard]] bool is_sound(std::size_t entries, bool stiffens) const;
+    /// Whether lists that were read have the sizes for so many entries, and for so many places of springs.
+    [[nodiscard]] bool is_sound(std::size_t entries, std::size_t springs, bool stiffens) const;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return slots_.bytes() + rest_lengths_.bytes() + stiffness_.bytes() + bending_.bytes() +
-               stiffening_.bytes();
+        return rest_lengths_.bytes() + stiffness_.bytes() + bending_.bytes() + stiffening_.bytes();
     }
 
   private:
-    void sum_up_slots() noexcept;
     void set_stiffening(const ClothModel& model, const SpringMatrix& matrix, const Fabric& fabric) noexcept;
 
     SharedBuffer<float> rest_lengths_, stiffness_, bending_, stiffening_;
-    SharedBuffer<Slot> slots_;
     float stiffest_ = 0, stiffest_bending_ = 0;
 };
 

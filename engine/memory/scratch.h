@@ -40,6 +40,9 @@ class ScratchArray {
     const T& operator[](std::size_t i) const noexcept { return data_[i]; }
     [[nodiscard]] std::span<T> span() noexcept { return {data_, size_}; }
     [[nodiscard]] std::span<const T> span() const noexcept { return {data_, size_}; }
+    /// Makes the padding zero again, where arrays that took turns with this one have written. Precondition:
+    /// the array is padded.
+    void clear_padding() noexcept { std::fill(data_ + size_, data_ + AlignedBuffer<T>::padded(size_), T{}); }
 
   private:
     T* data_ = nullptr;
@@ -65,7 +68,7 @@ class Scratch {
     }
 
     /// Both calls take arrays from the same place on: the first ones are no longer in use when the second
-    /// ones come into use.
+    /// ones come into use. The padding of either holds what the others left there.
     template <class First, class Second>
     void take_by_turns(const First& first, const Second& second) {
         const std::size_t begin = end_;

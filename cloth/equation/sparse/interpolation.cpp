@@ -12,7 +12,7 @@ Interpolation::Interpolation(std::uint32_t fine_count, std::uint32_t coarse_coun
 
 std::size_t Interpolation::bytes() const noexcept {
     return nodes.bytes() + weights.bytes() + kept.size() * sizeof(std::uint32_t) + offsets.bytes() +
-           fine_nodes.bytes() + fine_weights.bytes();
+           entries.bytes();
 }
 
 }  // namespace weft

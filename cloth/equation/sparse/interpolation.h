@@ -18,13 +18,12 @@ struct Interpolation {
     Interpolation(std::uint32_t fine_count, std::uint32_t coarse_count);
 
     std::uint32_t fine = 0, coarse = 0;
-    SharedBuffer<std::uint32_t> nodes;  ///< [width * i + k], for whole groups of fine nodes
+    SharedBuffer<std::uint32_t> nodes;  ///< [width * i + k], for whole groups of fine nodes i
     SharedBuffer<float> weights;
     std::vector<std::uint32_t> kept;  ///< the fine node at each coarse node, ascending
 
     /// P^T by rows, ascending, for gathering.
-    SharedBuffer<std::uint32_t> offsets, fine_nodes;
-    SharedBuffer<float> fine_weights;
+    SharedBuffer<std::uint32_t> offsets, entries;  ///< entries: places width * i + k in `weights`
 
     [[nodiscard]] std::size_t bytes() const noexcept;
 };

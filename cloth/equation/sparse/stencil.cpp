@@ -64,7 +64,7 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
                  Order order)
     : nodes(static_cast<std::uint32_t>(offsets.size()) - 1),
       group_slots(groups() + 1),
-      entries(row_neighbours.size()) {
+      slot_of(row_neighbours.size()) {
     const Rows rows{offsets, row_neighbours};
     for (std::uint32_t g = 0; g < groups(); ++g)
         group_slots[g + 1] = group_slots[g] + most_neighbours(rows, g);
@@ -86,7 +86,7 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
                 const bool used =
                     next < end && (!by_difference || rows.difference(node, next) == differences[s]);
                 neighbours[entry] = used ? row_neighbours[next] : node;
-                if (used) entries[next++] = entry;
+                if (used) slot_of[next++] = static_cast<std::uint16_t>(s);
             }
         }
     }
@@ -94,12 +94,12 @@ Stencil::Stencil(std::span<const std::uint32_t> offsets, std::span<const std::ui
 
 bool Stencil::is_sound(std::uint32_t node_count, std::size_t half_edges) const {
     if (nodes != node_count || !are_offsets(group_slots.span(), groups(), runs.size()) ||
-        neighbours.size() != runs.size() * lanes || entries.size() != half_edges)
+        neighbours.size() != runs.size() * lanes || slot_of.size() != half_edges)
         return false;
     const std::uint32_t last = (groups() - 1) * lanes;
     std::uint32_t wrong = 0;
     for (const std::uint32_t run : runs) wrong |= (run > last ? 1u : 0u) & (run != no_run ? 1u : 0u);
-    return wrong == 0 && are_below(neighbours.span(), nodes) && are_below(entries.span(), neighbours.size());
+    return wrong == 0 && are_below(neighbours.span(), nodes);
 }
 
 std::uint32_t Stencil::group_of(std::uint32_t slot) const noexcept {

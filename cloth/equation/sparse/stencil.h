@@ -39,11 +39,15 @@ struct Stencil {
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
     SharedBuffer<std::uint32_t> neighbours;   ///< [slot * lanes + lane]
     SharedBuffer<std::uint32_t> runs;         ///< of each slot: the first row of its run, or no_run
-    SharedBuffer<std::uint32_t> entries;      ///< of each half-edge of the rows: its slot * lanes + lane
+    SharedBuffer<std::uint16_t> slot_of;  ///< of each half-edge of the rows: its slot, counted in its group
 
     [[nodiscard]] std::uint32_t groups() const noexcept { return (nodes + lanes - 1) / lanes; }
     [[nodiscard]] std::uint32_t slots() const noexcept {
         return group_slots.empty() ? 0 : group_slots[groups()];
+    }
+    /// Half-edge e of a node: its slot * lanes + lane.
+    [[nodiscard]] std::uint32_t entry(std::uint32_t node, std::size_t e) const noexcept {
+        return (group_slots[node / lanes] + slot_of[e]) * lanes + node % lanes;
     }
     /// The group that a slot belongs to, by bisection.
     [[nodiscard]] std::uint32_t group_of(std::uint32_t slot) const noexcept;
@@ -55,7 +59,7 @@ struct Stencil {
         visit(self.group_slots);
         visit(self.neighbours);
         visit(self.runs);
-        visit(self.entries);
+        visit(self.slot_of);
     }
     /// Whether all indices in lists that were read are in range, for so many nodes and half-edges.
     [[nodiscard]] bool is_sound(std::uint32_t node_count, std::size_t half_edges) const;
@@ -64,10 +68,10 @@ struct Stencil {
         group_slots = {};
         neighbours = {};
         runs = {};
-        entries = {};
+        slot_of = {};
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return group_slots.bytes() + neighbours.bytes() + runs.bytes() + entries.bytes();
+        return group_slots.bytes() + neighbours.bytes() + runs.bytes() + slot_of.bytes();
     }
 };
 

@@ -21,8 +21,10 @@ HWY_INLINE RowLanes add_weighted(float weight, const Vec4& row, RowLanes sum) {
 /// x + (P e)_i.
 HWY_INLINE RowLanes corrected(const Correction& correction, std::uint32_t i, RowLanes x) {
     static_assert(Interpolation::width == 3);
-    const std::uint32_t* const nodes = &correction.p.nodes[Interpolation::width * (correction.first + i)];
-    const float* const weights = &correction.weights[Interpolation::width * (correction.first + i)];
+    const std::uint32_t row = correction.first + i;
+    if (correction.pinned != nullptr && correction.pinned[row] != 0) return x;
+    const std::uint32_t* const nodes = &correction.p.nodes[Interpolation::width * row];
+    const float* const weights = &correction.p.weights[Interpolation::width * row];
     const Vec4* const coarse = correction.coarse.data();
     x = add_weighted(weights[0], coarse[nodes[0]], x);
     x = add_weighted(weights[1], coarse[nodes[1]], x);

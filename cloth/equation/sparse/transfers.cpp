@@ -14,19 +14,22 @@ namespace {
 // Four sums side by side, so that no term waits for the one before it.
 void restrict_rows(const Interpolation& p, const BlockRange& range, const Vec4* fine, Vec4* coarse) {
     const RowTag d;
-    const std::uint32_t* const nodes = p.fine_nodes.data();
-    const float* const weights = p.fine_weights.data();
+    const std::uint32_t* const entries = p.entries.data();
+    const float* const weights = p.weights.data();
+    const auto add = [&](std::uint32_t e, RowLanes sum) HWY_ATTR {
+        return add_weighted(weights[entries[e]], fine[entries[e] / Interpolation::width], sum);
+    };
     for (std::uint32_t c = range.begin; c < range.end; ++c) {
         RowLanes s0 = hn::Zero(d), s1 = s0, s2 = s0, s3 = s0;
         std::uint32_t e = p.offsets[c];
         const std::uint32_t end = p.offsets[c + 1];
         for (; e + 4 <= end; e += 4) {
-            s0 = add_weighted(weights[e], fine[nodes[e]], s0);
-            s1 = add_weighted(weights[e + 1], fine[nodes[e + 1]], s1);
-            s2 = add_weighted(weights[e + 2], fine[nodes[e + 2]], s2);
-            s3 = add_weighted(weights[e + 3], fine[nodes[e + 3]], s3);
+            s0 = add(e, s0);
+            s1 = add(e + 1, s1);
+            s2 = add(e + 2, s2);
+            s3 = add(e + 3, s3);
         }
-        for (; e < end; ++e) s0 = add_weighted(weights[e], fine[nodes[e]], s0);
+        for (; e < end; ++e) s0 = add(e, s0);
         hn::Store(hn::Add(hn::Add(s0, s1), hn::Add(s2, s3)), d, &coarse[c].x);
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Restriction and prolongation between a level and the next coarser one.
 
+#include <cstdint>
 #include <span>
 
 #include "cloth/equation/sparse/interpolation.h"
@@ -18,12 +19,12 @@ void coarse_ranges(Parallel& parallel, std::uint32_t nodes, const Body& body) {
     parallel.ranges(nodes, body, size);
 }
 
-/// P e of a coarse vector e, with weights in place of P's own. A fine vector may begin at another row of P.
+/// P e of a coarse vector e, but 0 at pinned nodes. A fine vector may begin at another row of P.
 struct Correction {
     const Interpolation& p;
-    std::span<const float> weights;
     std::span<const Vec4> coarse;
-    std::uint32_t first = 0;  ///< the row of P of the fine vector's first node
+    const std::uint8_t* pinned = nullptr;  ///< by row of P: not 0 where pinned; null: none is
+    std::uint32_t first = 0;               ///< the row of P of the fine vector's first node
 };
 
 /// coarse = P^T fine.

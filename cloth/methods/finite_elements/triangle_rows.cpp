@@ -182,7 +182,7 @@ TriangleSources::TriangleSources(const ClothModel& model, const TriangleElements
         std::ranges::fill(source.sides.span(), elements.zero_side());
     }
     const auto add = [&](std::uint32_t particle, std::uint32_t neighbour, std::uint32_t side, bool along) {
-        const std::uint32_t entry = stencil.entries[rows.half_edge(particle, neighbour)];
+        const std::uint32_t entry = stencil.entry(particle, rows.half_edge(particle, neighbour));
         Source& source = sources[sources[0].sides[entry] == elements.zero_side() ? 0 : 1];
         source.sides[entry] = side;
         source.runs_along[entry] = along ? 1.0f : 0.0f;

@@ -97,7 +97,7 @@ std::unique_ptr<ImplicitSystem> TriangleSystem::clone(const ClothModel& model) c
 
 void TriangleSystem::store_dihedral_bending(const Bending& bending, const ElementRows& rows) {
     hinges_.emplace(bending, model_->particle_count, [&](std::uint32_t i, std::uint32_t j) {
-        return matrix_.stencil.entries[rows.half_edge(i, j)];
+        return matrix_.stencil.entry(i, rows.half_edge(i, j));
     });
 }
 
@@ -107,7 +107,7 @@ void TriangleSystem::store_quadratic_bending(const Bending& bending) {
     matrix_.scalars = AlignedBuffer<float>(matrix_.scalar_stencil.neighbours.size());
     quadratic_ = SharedBuffer<float>(model_->particle_count);
     for_each_quadratic_term(bending, [&](std::uint32_t i, std::uint32_t j, float k) {
-        matrix_.scalars[matrix_.scalar_stencil.entries[rows.half_edge(i, j)]] -= k;
+        matrix_.scalars[matrix_.scalar_stencil.entry(i, rows.half_edge(i, j))] -= k;
         quadratic_[i] -= k;  // rows of the Hessian sum to 0
     });
 }

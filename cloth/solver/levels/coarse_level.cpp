@@ -7,12 +7,13 @@
 
 namespace weft {
 
-CoarseLevel::CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
+CoarseLevel::CoarseLevel(CoarseLinks& links, Interpolation interpolation, const SpringGraph& graph,
                          const Components& components)
-    : lists_(std::move(lists)),
-      interpolation_(std::move(interpolation)),
-      matrix_(graph, lists_),
-      small_components_(SmallComponents(components, lists_)) {}
+    : interpolation_(std::move(interpolation)),
+      matrix_(graph, links),
+      small_components_(SmallComponents(components, links)) {
+    lists_ = std::move(links.lists);
+}
 
 CoarseLevel::CoarseLevel(Constants constants)
     : lists_(std::move(constants.lists)),
@@ -20,30 +21,30 @@ CoarseLevel::CoarseLevel(Constants constants)
       matrix_(std::move(constants.stencil), std::move(constants.link_rows)),
       small_components_(std::move(constants.small_components)) {}
 
-void CoarseLevel::lay_out(Scratch& scratch, std::size_t finer_pair_rows) {
-    matrix_.lay_out(scratch, lists_);
+void CoarseLevel::lay_out_cycle(Scratch& scratch) {
+    matrix_.lay_out_matrix(scratch);
     small_components_.lay_out(scratch);
-    pairs_.lay_out(scratch, finer_pair_rows, nodes());
     for (auto* vector : {&b_, &x_, &before_}) scratch.take(*vector, nodes());
-    scratch.take(corrected_, finer_pair_rows > 0 ? nodes() : 0);
+    scratch.take(corrected_, pairs_.room() > 0 ? nodes() : 0);
 }
 
 CoarseLevel::Constants CoarseLevel::constant_part() const {
-    Constants part{lists_, interpolation_, matrix_.stencil, matrix_.link_rows,
-                   small_components_.components()};
-    part.lists.constants.sums = {};
-    return part;
+    return {lists_, interpolation_, matrix_.stencil, matrix_.link_rows, small_components_.components()};
 }
 
-void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs, float constant_scale) {
+void CoarseLevel::sum_links(Parallel& parallel, std::span<const Vec4> springs,
+                            std::span<const double> constants, float constant_scale) {
     parallel.ranges(lists_.groups() * Stencil::lanes, [&](const BlockRange& range) {
-        sum_springs_block(lists_, range, springs.data(), constant_scale, matrix_.links);
+        sum_springs_block(lists_, range, springs.data(), constants.data(), constant_scale, matrix_.links);
     });
 }
 
 void CoarseLevel::sum_ground(Parallel& parallel, std::span<const Vec4> diagonal,
                              std::span<const Vec4> off_diagonal) {
     SymmetricRows& rows = matrix_.ground_rows;
+    rows.diagonal.clear_padding();
+    rows.off_diagonal.clear_padding();
+    matrix_.links.set(lists_.groups() * Stencil::lanes, {});
     restrict_to(parallel, interpolation_, diagonal, rows.diagonal.span());
     if (off_diagonal.empty())
         std::ranges::fill(rows.off_diagonal.span(), Vec4{});
@@ -75,6 +76,7 @@ std::span<const Vec4> CoarseLevel::corrected_b() const {
 }
 
 void CoarseLevel::finish(Parallel& parallel) {
+    for (auto* vector : {&b_, &x_, &before_, &corrected_}) vector->clear_padding();
     coarse_ranges(parallel, nodes(), [&](const BlockRange& range) { finish_block(range, matrix_); });
     small_components_.factorise(parallel, matrix_, pairs_);
 }

@@ -16,13 +16,13 @@ namespace weft {
 
 class CoarseLevel {
   public:
-    /// The lists, the graph and its components describe the springs between this level's nodes. The
-    /// interpolation leads from here to the finer level.
-    CoarseLevel(GalerkinLists lists, Interpolation interpolation, const SpringGraph& graph,
+    /// The links, the graph and its components describe the springs between this level's nodes. The
+    /// interpolation leads from here to the finer level. Moves the links' lists.
+    CoarseLevel(CoarseLinks& links, Interpolation interpolation, const SpringGraph& graph,
                 const Components& components);
     /// The level's constant part.
     struct Constants {
-        GalerkinLists lists;  ///< without the sums, which are saved nowhere
+        GalerkinLists lists;
         Interpolation interpolation;
         Stencil stencil;
         SharedBuffer<std::uint32_t> link_rows;
@@ -30,12 +30,18 @@ class CoarseLevel {
     };
     explicit CoarseLevel(Constants constants);
     [[nodiscard]] Constants constant_part() const;
-    /// `finer_pair_rows`: the most rows of the cloth's contact with itself on the finer level; 0: no contact.
-    void lay_out(Scratch& scratch, std::size_t finer_pair_rows);
+    /// Lays out, in this order, rows of contact, for so many of the finer level; the sums that finish() reads
+    /// last; what finish() and the cycles write, the last two in place of what is no longer in use.
+    void lay_out_pairs(Scratch& scratch, std::size_t finer_pair_rows) {
+        pairs_.lay_out(scratch, finer_pair_rows, nodes());
+    }
+    void lay_out_sums(Scratch& scratch) { matrix_.lay_out_sums(scratch, lists_); }
+    void lay_out_cycle(Scratch& scratch);
 
     /// Sums the links from the finest level's springs d d^T + a I, given as (d, a) by the index that the
-    /// lists name, and from the constants times `constant_scale`.
-    void sum_links(Parallel& parallel, std::span<const Vec4> springs, float constant_scale);
+    /// lists name, and from the constants by place times `constant_scale`.
+    void sum_links(Parallel& parallel, std::span<const Vec4> springs, std::span<const double> constants,
+                   float constant_scale);
     /// Restricts the finer level's ground to this level. Without `off_diagonal` those entries are 0.
     void sum_ground(Parallel& parallel, std::span<const Vec4> diagonal, std::span<const Vec4> off_diagonal);
     /// Sums links and ground from a finer coarse level.
@@ -62,7 +68,6 @@ class CoarseLevel {
     [[nodiscard]] std::uint32_t nodes() const noexcept { return matrix_.stencil.nodes; }
     [[nodiscard]] const Interpolation& interpolation() const noexcept { return interpolation_; }
     [[nodiscard]] const GalerkinLists& lists() const noexcept { return lists_; }
-    [[nodiscard]] GalerkinLists::Constants& constants() noexcept { return lists_.constants; }
     [[nodiscard]] const CoarseMatrix& matrix() const noexcept { return matrix_; }
     [[nodiscard]] CoarseMatrix& matrix() noexcept { return matrix_; }
     [[nodiscard]] std::span<Vec4> b() noexcept { return b_.span(); }

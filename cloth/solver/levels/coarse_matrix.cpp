@@ -145,17 +145,24 @@ HWY_INLINE SymmetricLanes add_spring(const SymmetricLanes& sum, Lanes factor, co
             hn::MulAdd(scaled.y, d.z, sum.yz)};
 }
 
-void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
-                 SymmetricRows& sums) {
-    const auto constants = [&](std::uint32_t i) HWY_ATTR {
-        return add_identity(zero_symmetric(), hn::Mul(set(scale), load_lanes(&lists.constants.sums[i])));
+HWY_INLINE Lanes load_rounded(const double* values) {
+    const hn::Half<Tag> half;
+    const hn::Rebind<double, decltype(half)> d;
+    return hn::Combine(Tag(), hn::DemoteTo(half, hn::Load(d, values + part_lanes / 2)),
+                       hn::DemoteTo(half, hn::Load(d, values)));
+}
+
+void sum_springs(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
+                 const double* constants, float scale, SymmetricRows& sums) {
+    const auto of_constants = [&](std::uint32_t i) HWY_ATTR {
+        return add_identity(zero_symmetric(), hn::Mul(set(scale), load_rounded(constants + i)));
     };
     const auto add = [springs](const auto& sum, Lanes factor, std::uint32_t base, const auto* numbers)
                          HWY_ATTR {
                              const Lanes4 spring = gather_rows_with_w(springs + base, numbers);
                              return add_spring(sum, factor, xyz(spring), spring.w);
                          };
-    sum_terms(lists, range, constants, add, sums);
+    sum_terms(lists, range, of_constants, add, sums);
 }
 
 void sum_links(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
@@ -181,26 +188,35 @@ HWY_EXPORT(subtract_product);
 HWY_EXPORT(relax);
 HWY_EXPORT(precondition);
 
-CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists)
+CoarseMatrix::CoarseMatrix(const SpringGraph& graph, const CoarseLinks& of)
     : stencil(graph.offsets, graph.neighbours), link_rows(stencil.neighbours.size()) {
-    std::ranges::fill(link_rows.span(), lists.groups() * Stencil::lanes);
+    std::ranges::fill(link_rows.span(), of.lists.groups() * Stencil::lanes);
     // Links ascend, and so do the graph's rows: each row meets its links in order.
     std::vector<std::uint32_t> next(graph.offsets.begin(), graph.offsets.end() - 1);
-    for (std::size_t k = 0; k < lists.links.size(); ++k) {
-        for (const std::uint32_t node : {lists.links[k].first, lists.links[k].second})
-            link_rows[stencil.entries[next[node]++]] = lists.places[k];
+    for (std::size_t k = 0; k < of.links.size(); ++k) {
+        for (const std::uint32_t node : {of.links[k].first, of.links[k].second})
+            link_rows[stencil.entry(node, next[node]++)] = of.places[k];
     }
-    stencil.entries = {};
+    stencil.slot_of = {};
 }
 
-void CoarseMatrix::lay_out(Scratch& scratch, const GalerkinLists& lists) {
-    const std::uint32_t places = lists.groups() * Stencil::lanes;
+std::uint32_t CoarseMatrix::place_between(const Link& link, const GalerkinLists& lists) const noexcept {
+    const std::uint32_t group = link.first / Stencil::lanes, lane = link.first % Stencil::lanes;
+    for (std::uint32_t s = stencil.group_slots[group]; s < stencil.group_slots[group + 1]; ++s)
+        if (stencil.neighbours[s * Stencil::lanes + lane] == link.second)
+            return link_rows[s * Stencil::lanes + lane];
+    return lists.groups() * Stencil::lanes;
+}
+
+void CoarseMatrix::lay_out_sums(Scratch& scratch, const GalerkinLists& lists) {
+    ground_rows.lay_out(scratch, stencil.nodes);
+    links.lay_out(scratch, lists.groups() * Stencil::lanes + 1);
+}
+
+void CoarseMatrix::lay_out_matrix(Scratch& scratch) {
     scratch.take(coefficients, arrays * stencil.neighbours.size());
     scratch.take(ground, std::size_t{arrays} * stencil.groups() * Stencil::lanes);
     scratch.take(inverse_diagonal, ground.size());
-    ground_rows.lay_out(scratch, stencil.nodes);
-    links.lay_out(scratch, places + 1);
-    if (scratch.has_memory()) links.set(places, {});
 }
 
 void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
@@ -208,9 +224,9 @@ void ground_rows_block(const BlockRange& range, const Vec4* right_side, const Co
     HWY_DYNAMIC_DISPATCH(ground_rows)(range, right_side, contacts, diagonal, off_diagonal);
 }
 
-void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
-                       SymmetricRows& sums) {
-    HWY_DYNAMIC_DISPATCH(sum_springs)(lists, range, springs, scale, sums);
+void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
+                       const double* constants, float scale, SymmetricRows& sums) {
+    HWY_DYNAMIC_DISPATCH(sum_springs)(lists, range, springs, constants, scale, sums);
 }
 
 void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,

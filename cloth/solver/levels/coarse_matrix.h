@@ -39,20 +39,24 @@ struct CoarseMatrix {
     static constexpr std::uint32_t arrays = 6;
 
     CoarseMatrix() = default;
-    CoarseMatrix(const SpringGraph& graph, const GalerkinLists& lists);
+    CoarseMatrix(const SpringGraph& graph, const CoarseLinks& links);
     /// Takes over saved lists.
     CoarseMatrix(Stencil of_level, SharedBuffer<std::uint32_t> rows)
         : stencil(std::move(of_level)), link_rows(std::move(rows)) {}
-    void lay_out(Scratch& scratch, const GalerkinLists& lists);
+    /// Lays out the sums of which the matrix is made, and the matrix.
+    void lay_out_sums(Scratch& scratch, const GalerkinLists& lists);
+    void lay_out_matrix(Scratch& scratch);
 
     Stencil stencil;                        ///< without entries
     ScratchArray<float> coefficients;       ///< A_IJ per slot: 16 of each entry
     ScratchArray<float> ground;             ///< G_I per group: 16 of each entry
     ScratchArray<float> inverse_diagonal;   ///< laid out as ground; 0 for nodes without inertia
-    SymmetricRows ground_rows;              ///< G_I by node
-    SymmetricRows links;                    ///< A_IJ by place in the lists; last a block of zeros
+    SymmetricRows ground_rows;              ///< sum: G_I by node
+    SymmetricRows links;                    ///< sum: A_IJ by place in the lists; last a block of zeros
     SharedBuffer<std::uint32_t> link_rows;  ///< by entry: its link's number in `links`
 
+    /// The place of the link between two nodes; that of the zeros, if they have none.
+    [[nodiscard]] std::uint32_t place_between(const Link& link, const GalerkinLists& lists) const noexcept;
     [[nodiscard]] std::size_t bytes() const noexcept { return stencil.bytes() + link_rows.bytes(); }
 };
 
@@ -61,9 +65,9 @@ struct CoarseMatrix {
 void ground_rows_block(const BlockRange& range, const Vec4* right_side, const ContactRows* contacts,
                        Vec4* diagonal, Vec4* off_diagonal);
 /// Sums a block of the lists' places from the finest level's springs, d d^T + a I given as (d, a), and from
-/// the lists' constants times `scale`.
-void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs, float scale,
-                       SymmetricRows& sums);
+/// constants by place times `scale`.
+void sum_springs_block(const GalerkinLists& lists, const BlockRange& range, const Vec4* springs,
+                       const double* constants, float scale, SymmetricRows& sums);
 /// Sums a block of the lists' places from a finer coarse level's links.
 void sum_links_block(const GalerkinLists& lists, const BlockRange& range, const SymmetricRows& links,
                      SymmetricRows& sums);

@@ -24,9 +24,9 @@ constexpr std::uint32_t nodes_per_block = 16;
 /// Collects P^T c, summed over some fine rows, by coarse nodes.
 class CoarsePairs::Sum {
   public:
-    void add(const Interpolation& p, std::span<const float> of_p, std::uint32_t fine, float c) {
-        for (std::uint32_t e = Interpolation::width * fine; e < Interpolation::width * (fine + 1); ++e)
-            if (of_p[e] != 0) add(p.nodes[e], c * of_p[e]);
+    void add(const FreeRows::Row& row, float c) {
+        for (std::uint32_t k = 0; k < Interpolation::width; ++k)
+            if (row.weights[k] != 0) add(row.nodes[k], c * row.weights[k]);
     }
     void add(std::uint32_t node, float c) {
         for (std::uint32_t k = 0; k < count_; ++k) {
@@ -68,13 +68,10 @@ class CoarsePairs::Sum {
 
 /// Sum::key() of P's row `most` less row `least`. The rows mostly share no node: the key is then the node of
 /// the largest weight in each, and no sum is made.
-CoarsePairs::Key CoarsePairs::key_between(const Interpolation& p, std::span<const float> of_p,
-                                          std::uint32_t most, std::uint32_t least) {
+CoarsePairs::Key CoarsePairs::key_between(const FreeRows& p, std::uint32_t most, std::uint32_t least) {
     constexpr std::uint32_t width = Interpolation::width;
-    const std::uint32_t* const nodes_a = &p.nodes[width * most];
-    const std::uint32_t* const nodes_b = &p.nodes[width * least];
-    const float* const weights_a = &of_p[width * most];
-    const float* const weights_b = &of_p[width * least];
+    const auto [nodes_a, weights_a] = p[most];
+    const auto [nodes_b, weights_b] = p[least];
     std::uint32_t a = 0, b = 0;
     bool is_simple = true;
     for (std::uint32_t k = 0; k < width; ++k) {
@@ -90,8 +87,8 @@ CoarsePairs::Key CoarsePairs::key_between(const Interpolation& p, std::span<cons
         return {std::min(nodes_a[a], nodes_b[b]), std::max(nodes_a[a], nodes_b[b]),
                 nodes_a[a] <= nodes_b[b] ? 1.0f : -1.0f};
     Sum sum;
-    sum.add(p, of_p, most, 1);
-    sum.add(p, of_p, least, -1);
+    sum.add(p[most], 1);
+    sum.add(p[least], -1);
     return sum.key();
 }
 
@@ -183,23 +180,22 @@ void CoarsePairs::list(PairRows& pairs, const Numbering& number) {
 }
 
 CoarsePairs::Key CoarsePairs::key_of(const PairRows::ActivePair& active, const Numbering& number,
-                                     const Interpolation& p, std::span<const float> weights) {
+                                     const FreeRows& p) {
     std::uint32_t most = 0, least = 0;
     for (std::uint32_t c = 1; c < 4; ++c) {
         if (active.shape.weight(c) > active.shape.weight(most)) most = c;
         if (active.shape.weight(c) < active.shape.weight(least)) least = c;
     }
-    return key_between(p, weights, number(active.pair.corners[most]), number(active.pair.corners[least]));
+    return key_between(p, number(active.pair.corners[most]), number(active.pair.corners[least]));
 }
 
-void CoarsePairs::gather(Parallel& parallel, const Numbering& number, const Interpolation& p,
-                         std::span<const float> weights) {
+void CoarsePairs::gather(Parallel& parallel, const Numbering& number, const FreeRows& p) {
     const std::uint32_t count = listed_;
     std::atomic<bool> any_outer = false;
     parallel.ranges(count, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
             const bool inner = number.has_all_corners(active_[k].pair);
-            keys_[k] = inner ? key_of(active_[k], number, p, weights) : Key{no_slot, no_slot, 1};
+            keys_[k] = inner ? key_of(active_[k], number, p) : Key{no_slot, no_slot, 1};
             if (!inner) any_outer.store(true, std::memory_order_relaxed);
         }
     });
@@ -208,7 +204,7 @@ void CoarsePairs::gather(Parallel& parallel, const Numbering& number, const Inte
         const PairRows::ActivePair& active = active_[k];
         if (sum != nullptr)
             for (std::uint32_t c = 0; c < 4; ++c)
-                sum->add(p, weights, number(active.pair.corners[c]), keys_[k].sign * active.shape.weight(c));
+                sum->add(p[number(active.pair.corners[c])], keys_[k].sign * active.shape.weight(c));
         return active.stiffness();
     });
 }
@@ -218,7 +214,7 @@ void CoarsePairs::gather(Parallel& parallel, const CoarsePairs& finer, const Int
     const auto count = static_cast<std::uint32_t>(fine.size());
     const auto add_row = [&](const Row& row, float sign, Sum& sum) {
         for (std::uint32_t k = 0; k < row.count; ++k)
-            sum.add(p, p.weights.span(), row.nodes[k], sign * row.weights[k]);
+            sum.add(FreeRows{p}[row.nodes[k]], sign * row.weights[k]);
     };
     parallel.ranges(count, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {

@@ -4,6 +4,7 @@
 // each side, they would keep layers that touch from moving together.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -45,6 +46,23 @@ class Numbering {
     std::span<const Range> ranges_;
 };
 
+/// The rows of P, without weights where they are of pinned nodes.
+struct FreeRows {
+    const Interpolation& p;
+    const std::uint8_t* pinned = nullptr;  ///< by row: not 0 where pinned; null: none is
+
+    struct Row {
+        const std::uint32_t* nodes;
+        std::array<float, Interpolation::width> weights;
+    };
+    [[nodiscard]] Row operator[](std::uint32_t i) const {
+        Row row{&p.nodes[Interpolation::width * i], {}};
+        if (pinned == nullptr || pinned[i] == 0)
+            std::copy_n(&p.weights[Interpolation::width * i], Interpolation::width, row.weights.begin());
+        return row;
+    }
+};
+
 /// Rows K c c^T: K acts on the sum of c x over the nodes that c names; the weights of c add up to 0. A coarse
 /// row merges all fine rows between the same two nodes: it has the sum of their K and, of the first few, the
 /// mean of P^T c (Galerkin's product, but for the merging).
@@ -71,9 +89,8 @@ class CoarsePairs {
     /// for the same pairs, which mark what they list.
     void list(PairRows& pairs, const Numbering& number);
     /// Makes rows of the listed pairs whose corners are all the levels'. P leads from the first coarse level
-    /// to the particles; `weights` are P's, 0 where pinned.
-    void gather(Parallel& parallel, const Numbering& number, const Interpolation& p,
-                std::span<const float> weights);
+    /// to the particles.
+    void gather(Parallel& parallel, const Numbering& number, const FreeRows& p);
     [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept {
         return active_.span().first(listed_);
     }
@@ -113,10 +130,9 @@ class CoarsePairs {
     /// A row being gathered.
     class Sum;
 
-    [[nodiscard]] static Key key_between(const Interpolation& p, std::span<const float> of_p,
-                                         std::uint32_t most, std::uint32_t least);
+    [[nodiscard]] static Key key_between(const FreeRows& p, std::uint32_t most, std::uint32_t least);
     [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, const Numbering& number,
-                                    const Interpolation& p, std::span<const float> weights);
+                                    const FreeRows& p);
     void sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows);
     void add_to_list(const PairRows::ActivePair& active);
     template <class AddRow>

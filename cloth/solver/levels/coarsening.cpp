@@ -328,18 +328,14 @@ void store_transpose(Interpolation& p) {
     std::uint32_t used = 0;
     for (const float weight : p.weights.span()) used += weight != 0;
     p.offsets = AlignedBuffer<std::uint32_t>(p.coarse + 1);
-    p.fine_nodes = AlignedBuffer<std::uint32_t>(used);
-    p.fine_weights = AlignedBuffer<float>(used);
+    p.entries = AlignedBuffer<std::uint32_t>(used);
     for (std::size_t e = 0; e < p.weights.size(); ++e) {
         if (p.weights[e] != 0) ++p.offsets[p.nodes[e] + 1];
     }
     for (std::uint32_t c = 0; c < p.coarse; ++c) p.offsets[c + 1] += p.offsets[c];
     std::vector<std::uint32_t> next(p.offsets.data(), p.offsets.data() + p.coarse);
     for (std::size_t e = 0; e < p.weights.size(); ++e) {
-        if (p.weights[e] == 0) continue;
-        const std::uint32_t at = next[p.nodes[e]]++;
-        p.fine_nodes[at] = static_cast<std::uint32_t>(e / Interpolation::width);
-        p.fine_weights[at] = p.weights[e];
+        if (p.weights[e] != 0) p.entries[next[p.nodes[e]]++] = static_cast<std::uint32_t>(e);
     }
 }
 

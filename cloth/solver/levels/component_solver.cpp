@@ -21,7 +21,7 @@ constexpr std::uint32_t components_at_a_time = 16;
 
 }  // namespace
 
-SmallComponents::SmallComponents(const Components& of_level, const GalerkinLists& lists) {
+SmallComponents::SmallComponents(const Components& of_level, const CoarseLinks& of) {
     std::vector<std::uint32_t> count_of(of_level.count(), none), local(of_level.of_node.size()), node_list;
     number = SharedBuffer<std::uint32_t>(of_level.of_node.size());
     std::ranges::fill(number.span(), none);
@@ -41,17 +41,16 @@ SmallComponents::SmallComponents(const Components& of_level, const GalerkinLists
     }
 
     const auto component_of = [&](const Link& link) { return count_of[of_level.of_node[link.first]]; };
-    for (const Link& link : lists.links)
+    for (const Link& link : of.links)
         if (component_of(link) != none) ++starts[component_of(link) + std::size_t{1}].link;
     for (std::size_t c = 1; c < starts.size(); ++c) starts[c].link += starts[c - 1].link;
     std::vector<LocalLink> local_links(starts.back().link);
     std::vector<std::uint32_t> next;
     for (const Component& start : starts) next.push_back(start.link);
-    for (std::size_t k = 0; k < lists.links.size(); ++k) {
-        const Link& link = lists.links[k];
+    for (std::size_t k = 0; k < of.links.size(); ++k) {
+        const Link& link = of.links[k];
         if (component_of(link) != none)
-            local_links[next[component_of(link)]++] = {lists.places[k], local[link.first],
-                                                       local[link.second]};
+            local_links[next[component_of(link)]++] = {of.places[k], local[link.first], local[link.second]};
     }
     components = SharedBuffer<Component>(starts);
     nodes = SharedBuffer<std::uint32_t>(node_list);

@@ -32,8 +32,7 @@ struct SmallComponents {
     };
 
     SmallComponents() = default;
-    /// `lists` name the level's links.
-    SmallComponents(const Components& of_level, const GalerkinLists& lists);
+    SmallComponents(const Components& of_level, const CoarseLinks& of);
 
     SharedBuffer<Component> components;  ///< last an entry with their ends
     SharedBuffer<std::uint32_t> nodes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -14,38 +15,6 @@
 namespace weft {
 
 namespace {
-
-/// Factors below this are left out: interpolation weights have no such precision.
-constexpr float least_factor = 1e-4f;
-
-struct Difference {
-    std::uint32_t coarse;
-    float value;
-};
-
-struct RowDifference {
-    std::array<Difference, 2 * Interpolation::width> entries;
-    std::size_t size = 0;
-};
-
-/// Row i minus row j of P, entries that are not 0.
-RowDifference row_difference(const Interpolation& p, const Link& link) {
-    RowDifference result;
-    for (const auto& [node, sign] : {std::pair(link.first, 1.0f), std::pair(link.second, -1.0f)}) {
-        for (std::uint32_t e = Interpolation::width * node; e < Interpolation::width * (node + 1); ++e) {
-            const float weight = p.weights[e];
-            if (weight == 0) continue;
-            const std::uint32_t coarse = p.nodes[e];
-            std::size_t at = 0;
-            while (at < result.size && result.entries[at].coarse != coarse) ++at;
-            if (at == result.size)
-                result.entries[result.size++] = {coarse, sign * weight};
-            else
-                result.entries[at].value += sign * weight;
-        }
-    }
-    return result;
-}
 
 /// Links of each node, in compressed rows.
 struct Incidence {
@@ -72,20 +41,6 @@ struct Term {
     float factor;
 };
 
-/// body(first node, term) for all terms of a fine link.
-template <class Body>
-void for_each_term(const Interpolation& p, const Link& link, std::uint32_t number, const Body& body) {
-    const RowDifference row = row_difference(p, link);
-    for (std::size_t a = 1; a < row.size; ++a) {
-        for (std::size_t b = 0; b < a; ++b) {
-            const float factor = -row.entries[a].value * row.entries[b].value;
-            if (!(std::abs(factor) > least_factor)) continue;
-            const auto [first, second] = std::minmax(row.entries[a].coarse, row.entries[b].coarse);
-            body(first, Term{second, number, factor});
-        }
-    }
-}
-
 /// All terms by first nodes, those of each by fine links, ascending.
 struct Terms {
     std::vector<std::size_t> offsets;
@@ -95,14 +50,15 @@ Terms terms_of(const std::vector<Link>& links, const Interpolation& p) {
     Terms result;
     result.offsets.resize(p.coarse + std::size_t{1});
     for (std::uint32_t k = 0; k < links.size(); ++k)
-        for_each_term(p, links[k], k,
-                      [&](std::uint32_t first, const Term&) { ++result.offsets[first + std::size_t{1}]; });
+        for_each_term(p, links[k],
+                      [&](const Link& link, float) { ++result.offsets[link.first + std::size_t{1}]; });
     for (std::uint32_t c = 0; c < p.coarse; ++c) result.offsets[c + 1] += result.offsets[c];
     result.terms.resize(result.offsets.back());
     std::vector<std::size_t> next(result.offsets.begin(), result.offsets.end() - 1);
     for (std::uint32_t k = 0; k < links.size(); ++k)
-        for_each_term(p, links[k], k,
-                      [&](std::uint32_t first, const Term& term) { result.terms[next[first]++] = term; });
+        for_each_term(p, links[k], [&](const Link& link, float factor) {
+            result.terms[next[link.first]++] = {link.second, k, factor};
+        });
     return result;
 }
 
@@ -135,33 +91,33 @@ struct GrowingLists {
     std::vector<std::uint32_t> offsets{0};  // terms of link k: [offsets[k], offsets[k + 1])
     std::vector<std::uint32_t> fine_links;
     std::vector<float> factors;
-    struct {
-        std::vector<std::uint32_t> offsets{0}, fine_links;
-        std::vector<float> factors;
-    } constants;
+    std::vector<double> constants;  // by link
+    std::vector<float> shifts;
 
-    void reserve(std::size_t terms, bool any_constant) {
-        fine_links.reserve(terms);
-        factors.reserve(terms);
-        if (!any_constant) return;
-        constants.fine_links.reserve(terms);
-        constants.factors.reserve(terms);
-    }
-    void add(std::uint32_t first, const Term& term, bool is_constant) {
-        if (links.empty() || links.back() != Link{first, term.second}) {
-            links.push_back({first, term.second});
-            offsets.push_back(offsets.back());
-            constants.offsets.push_back(constants.offsets.back());
+    /// Adds a link with all of its terms, of fine links of which some have constant blocks.
+    void add(const Link& link, std::span<const Term> terms, std::span<const float> blocks) {
+        links.push_back(link);
+        std::uint32_t count = 0;
+        float most = 0;
+        for (const Term& term : terms) {
+            const float block = blocks.empty() ? 0 : blocks[term.fine_link];
+            if (block != 0) {
+                ++count;
+                most = std::max(most, std::abs(term.factor * block));
+            } else {
+                fine_links.push_back(term.fine_link);
+                factors.push_back(term.factor);
+            }
         }
-        if (is_constant) {
-            constants.fine_links.push_back(term.fine_link);
-            constants.factors.push_back(term.factor);
-            ++constants.offsets.back();
-            return;
-        }
-        fine_links.push_back(term.fine_link);
-        factors.push_back(term.factor);
-        ++offsets.back();
+        offsets.push_back(static_cast<std::uint32_t>(factors.size()));
+        // Each of the terms is below 2^51 units, and their sum below 2^52.
+        shifts.push_back(std::isnormal(most) ? std::ldexp(1.5f, std::ilogb(most) + 1 + std::bit_width(count))
+                                             : 0);
+        double sum = 0;
+        for (const Term& term : terms)
+            if (!blocks.empty() && blocks[term.fine_link] != 0)
+                sum += exact_term(term.factor * blocks[term.fine_link], shifts.back());
+        constants.push_back(sum);
     }
     [[nodiscard]] std::uint32_t terms(std::uint32_t link) const { return offsets[link + 1] - offsets[link]; }
 };
@@ -179,25 +135,26 @@ std::vector<std::uint32_t> ordered_for_lanes(const GrowingLists& lists) {
     return order;
 }
 
-GalerkinLists in_groups(const GrowingLists& grown) {
+CoarseLinks in_groups(GrowingLists&& grown) {
     constexpr std::uint32_t lanes = Stencil::lanes;
     const std::vector<std::uint32_t> order = ordered_for_lanes(grown);
-    GalerkinLists lists;
-    lists.links = SharedBuffer<Link>(grown.links);
-    lists.constants.offsets = SharedBuffer<std::uint32_t>(grown.constants.offsets);
-    lists.constants.fine_links.numbers = SharedBuffer<std::uint32_t>(grown.constants.fine_links);
-    lists.constants.factors = SharedBuffer<float>(grown.constants.factors);
-    lists.constants.sums = AlignedBuffer<float>(lists.groups() * lanes);
-    lists.places = SharedBuffer<std::uint32_t>(order.size());
-    lists.group_slots = SharedBuffer<std::uint32_t>(lists.groups() + 1);
+    CoarseLinks result;
+    GalerkinLists& lists = result.lists;
+    const std::uint32_t groups = (static_cast<std::uint32_t>(order.size()) + lanes - 1) / lanes;
+    result.constants.resize(std::size_t{groups} * lanes);
+    result.shifts.resize(result.constants.size());
+    result.places.resize(order.size());
+    lists.group_slots = SharedBuffer<std::uint32_t>(groups + std::size_t{1});
     for (std::uint32_t place = 0; place < order.size(); ++place) {
-        lists.places[order[place]] = place;
+        result.places[order[place]] = place;
+        result.constants[place] = grown.constants[order[place]];
+        result.shifts[place] = grown.shifts[order[place]];
         std::uint32_t& slots = lists.group_slots[place / lanes + 1];
         slots = std::max(slots, grown.terms(order[place]));
     }
-    for (std::uint32_t g = 0; g < lists.groups(); ++g) lists.group_slots[g + 1] += lists.group_slots[g];
+    for (std::uint32_t g = 0; g < groups; ++g) lists.group_slots[g + 1] += lists.group_slots[g];
 
-    const std::size_t entries = std::size_t{lists.group_slots[lists.groups()]} * lanes;
+    const std::size_t entries = std::size_t{lists.group_slots[groups]} * lanes;
     lists.fine_links.numbers = SharedBuffer<std::uint32_t>(entries);
     lists.factors = SharedBuffer<float>(entries);
     for (std::uint32_t place = 0; place < order.size(); ++place) {
@@ -209,10 +166,27 @@ GalerkinLists in_groups(const GrowingLists& grown) {
             lists.factors[entry] = t < terms ? grown.factors[begin + t] : 0;
         }
     }
-    return lists;
+    result.links = std::move(grown.links);
+    return result;
 }
 
 }  // namespace
+
+RowDifference::RowDifference(const Interpolation& p, const Link& link) {
+    for (const auto& [node, sign] : {std::pair(link.first, 1.0f), std::pair(link.second, -1.0f)}) {
+        for (std::uint32_t e = Interpolation::width * node; e < Interpolation::width * (node + 1); ++e) {
+            const float weight = p.weights[e];
+            if (weight == 0) continue;
+            const std::uint32_t coarse = p.nodes[e];
+            std::size_t at = 0;
+            while (at < size && entries[at].coarse != coarse) ++at;
+            if (at == size)
+                entries[size++] = {coarse, sign * weight};
+            else
+                entries[at].value += sign * weight;
+        }
+    }
+}
 
 void FineLinks::pack(std::span<const std::uint32_t> offsets, std::uint32_t width,
                      std::span<const float> factors) {
@@ -239,11 +213,6 @@ void FineLinks::pack(std::span<const std::uint32_t> offsets, std::uint32_t width
     numbers = {};
 }
 
-void GalerkinLists::pack_fine_links() {
-    fine_links.pack(group_slots.span(), Stencil::lanes, factors.span());
-    constants.fine_links.pack(constants.offsets.span(), 1, constants.factors.span());
-}
-
 std::vector<Link> links_of(const SpringGraph& graph) {
     std::vector<Link> links;
     for (std::uint32_t i = 0; i < graph.nodes(); ++i) {
@@ -254,18 +223,25 @@ std::vector<Link> links_of(const SpringGraph& graph) {
     return links;
 }
 
-GalerkinLists make_galerkin_lists(const std::vector<Link>& links, const Interpolation& p,
-                                  const std::vector<bool>& is_constant) {
+CoarseLinks make_coarse_links(const std::vector<Link>& links, const Interpolation& p,
+                              std::span<const float> constants) {
     GrowingLists lists;
     const Terms terms = terms_of(links, p);
-    lists.reserve(terms.terms.size(), !is_constant.empty());
+    lists.fine_links.reserve(terms.terms.size());
+    lists.factors.reserve(terms.terms.size());
     SortBySecond sorted(p.coarse);
     for (std::uint32_t first = 0; first < p.coarse; ++first) {
         const std::size_t begin = terms.offsets[first], count = terms.offsets[first + std::size_t{1}] - begin;
-        for (const Term& term : sorted(std::span(terms.terms).subspan(begin, count)))
-            lists.add(first, term, !is_constant.empty() && is_constant[term.fine_link]);
+        std::span<const Term> left = sorted(std::span(terms.terms).subspan(begin, count));
+        while (!left.empty()) {
+            const std::uint32_t second = left.front().second;
+            const auto end = std::ranges::find_if(left, [&](const Term& t) { return t.second != second; });
+            const auto size = static_cast<std::size_t>(end - left.begin());
+            lists.add({first, second}, left.first(size), constants);
+            left = left.subspan(size);
+        }
     }
-    return in_groups(lists);
+    return in_groups(std::move(lists));
 }
 
 SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes) {
@@ -283,14 +259,15 @@ SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes) {
 }
 
 SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
-                              const std::vector<Link>& fine_links, const GalerkinLists& lists) {
+                              const std::vector<Link>& fine_links, const CoarseLinks& links) {
+    const GalerkinLists& lists = links.lists;
     const std::uint32_t nodes = coarsening.interpolation.coarse;
     std::vector<std::uint32_t> starts(nodes + std::size_t{1});  // by first node: its first link
-    for (const Link& link : lists.links) ++starts[link.first + std::size_t{1}];
+    for (const Link& link : links.links) ++starts[link.first + std::size_t{1}];
     for (std::uint32_t i = 0; i < nodes; ++i) starts[i + 1] += starts[i];
 
     std::vector<float> fine_stiffness(fine_links.size());
-    std::vector<float> length(lists.links.size(), std::numeric_limits<float>::infinity());
+    std::vector<float> length(links.links.size(), std::numeric_limits<float>::infinity());
     std::size_t number = 0;
     for (std::uint32_t i = 0; i < fine.nodes(); ++i) {
         for (std::uint32_t e = fine.offsets[i]; e < fine.offsets[i + 1]; ++e) {
@@ -300,26 +277,26 @@ SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsen
             const auto [a, b] = std::minmax(coarsening.owner[i], coarsening.owner[j]);
             if (a == b) continue;
             std::uint32_t k = starts[a];
-            while (k < starts[a + 1] && lists.links[k].second < b) ++k;
-            if (k == starts[a + 1] || lists.links[k].second != b) continue;
+            while (k < starts[a + 1] && links.links[k].second < b) ++k;
+            if (k == starts[a + 1] || links.links[k].second != b) continue;
             length[k] =
                 std::min(length[k], coarsening.distance[i] + fine.lengths[e] + coarsening.distance[j]);
         }
     }
 
     SpringGraph graph{.offsets = std::vector<std::uint32_t>(nodes + 1),
-                      .neighbours = std::vector<std::uint32_t>(2 * lists.links.size()),
-                      .stiffness = std::vector<float>(2 * lists.links.size()),
-                      .lengths = std::vector<float>(2 * lists.links.size())};
-    const Incidence touching = incidence(lists.links, nodes);
+                      .neighbours = std::vector<std::uint32_t>(2 * links.links.size()),
+                      .stiffness = std::vector<float>(2 * links.links.size()),
+                      .lengths = std::vector<float>(2 * links.links.size())};
+    const Incidence touching = incidence(links.links, nodes);
     graph.offsets = touching.offsets;
     for (std::uint32_t i = 0; i < nodes; ++i) {
         for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
             const std::uint32_t k = touching.links[e];
-            const Link& link = lists.links[k];
+            const Link& link = links.links[k];
             float stiffness = 0;
-            const std::uint32_t group = lists.places[k] / Stencil::lanes,
-                                lane = lists.places[k] % Stencil::lanes;
+            const std::uint32_t group = links.places[k] / Stencil::lanes,
+                                lane = links.places[k] % Stencil::lanes;
             for (std::uint32_t s = lists.group_slots[group]; s < lists.group_slots[group + 1]; ++s) {
                 const std::uint32_t term = s * Stencil::lanes + lane;
                 stiffness += lists.factors[term] * fine_stiffness[lists.fine_links.of(group, term)];

@@ -3,6 +3,9 @@
 // block K adds -(p_iI - p_jI) (p_iJ - p_jJ) K to the spring (I, J). The terms are found once; a step sums
 // them.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -10,7 +13,6 @@
 
 #include "cloth/equation/sparse/stencil.h"
 #include "cloth/solver/levels/coarsening.h"
-#include "engine/memory/aligned_buffer.h"
 #include "engine/memory/shared_buffer.h"
 
 namespace weft {
@@ -44,48 +46,79 @@ struct FineLinks {
 /// the rows of a Stencil are. Of each 256 sums those with the most terms come first, so that the lanes of a
 /// group have about equally many.
 struct GalerkinLists {
-    /// Terms of fine links whose blocks are constant multiples of the identity.
-    struct Constants {
-        SharedBuffer<std::uint32_t> offsets;  ///< terms of link k: [offsets[k], offsets[k + 1])
-        FineLinks fine_links;                 ///< by term, in these rows
-        SharedBuffer<float> factors;
-        AlignedBuffer<float> sums;  ///< by place: the sum of its terms, over constant_scale()
-
-        [[nodiscard]] std::size_t bytes() const noexcept {
-            return offsets.bytes() + fine_links.bytes() + factors.bytes() + sums.bytes();
-        }
-    } constants;
-
-    SharedBuffer<Link> links;                 ///< of the coarse level, ascending
-    SharedBuffer<std::uint32_t> places;       ///< by link: the place of its sum, group * lanes + lane
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
     FineLinks fine_links;                     ///< by term, [slot * lanes + lane], a row for each group
     SharedBuffer<float> factors;              ///< by term; 0 where a lane has no more terms
 
     [[nodiscard]] std::uint32_t groups() const noexcept {
-        return (static_cast<std::uint32_t>(links.size()) + Stencil::lanes - 1) / Stencil::lanes;
+        return group_slots.empty() ? 0 : static_cast<std::uint32_t>(group_slots.size()) - 1;
     }
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return links.bytes() + places.bytes() + group_slots.bytes() + fine_links.bytes() + factors.bytes() +
-               constants.bytes();
+        return group_slots.bytes() + fine_links.bytes() + factors.bytes();
     }
-    void pack_fine_links();
+    void pack_fine_links() { fine_links.pack(group_slots.span(), Stencil::lanes, factors.span()); }
 };
+
+/// The links of a coarse level, which only the making of levels needs.
+struct CoarseLinks {
+    GalerkinLists lists;
+    std::vector<Link> links;            ///< ascending
+    std::vector<std::uint32_t> places;  ///< by link: the place of its sum, group * lanes + lane
+    /// By place: the sum over fine links with a constant block, and 1.5 * 2^52 of its units, with which no
+    /// smaller digit finds room; padded to whole groups.
+    std::vector<double> constants;
+    std::vector<float> shifts;
+};
+
+/// A term of a sum over constant blocks, rounded to the sum's unit: so few digits that the sum is exact. So
+/// terms may come and go with pins, in any order, and leave the same sum.
+[[nodiscard]] inline double exact_term(float term, float shift) noexcept {
+    return (static_cast<double>(term) + static_cast<double>(shift)) - static_cast<double>(shift);
+}
+
+/// Row i minus row j of P, for a link (i, j): the entries that are not 0.
+struct RowDifference {
+    RowDifference(const Interpolation& p, const Link& link);
+
+    struct Entry {
+        std::uint32_t coarse;
+        float value;
+    };
+    std::array<Entry, 2 * std::size_t{Interpolation::width}> entries;
+    std::size_t size = 0;
+};
+
+/// Factors below this are left out: interpolation weights have no such precision.
+constexpr float least_factor = 1e-4f;
+
+/// body(coarse link, factor) for all terms of a fine link.
+template <class Body>
+void for_each_term(const Interpolation& p, const Link& link, const Body& body) {
+    const RowDifference row(p, link);
+    for (std::size_t a = 1; a < row.size; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            const float factor = -row.entries[a].value * row.entries[b].value;
+            if (!(std::abs(factor) > least_factor)) continue;
+            const auto [first, second] = std::minmax(row.entries[a].coarse, row.entries[b].coarse);
+            body(Link{first, second}, factor);
+        }
+    }
+}
 
 /// Links of a graph, ascending: each spring once.
 [[nodiscard]] std::vector<Link> links_of(const SpringGraph& graph);
 
-/// `links`: the springs of the fine level; is_constant[k]: whether the k-th has a constant block (empty:
-/// none).
-[[nodiscard]] GalerkinLists make_galerkin_lists(const std::vector<Link>& links,
-                                                const Interpolation& interpolation,
-                                                const std::vector<bool>& is_constant = {});
+/// `links`: the springs of the fine level; constants[k]: the k-th one's constant block, or 0 (empty: none
+/// has any).
+[[nodiscard]] CoarseLinks make_coarse_links(const std::vector<Link>& links,
+                                            const Interpolation& interpolation,
+                                            std::span<const float> constants = {});
 
 /// The graph of these links, without stiffnesses and lengths.
 [[nodiscard]] SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes);
 
 /// The graph of the coarse level: stiffness summed by the lists, lengths along the springs of the fine graph.
 [[nodiscard]] SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
-                                            const std::vector<Link>& fine_links, const GalerkinLists& lists);
+                                            const std::vector<Link>& fine_links, const CoarseLinks& coarse);
 
 }  // namespace weft

@@ -1,6 +1,7 @@
 #include "cloth/solver/levels/levels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/memory/list_checks.h"
@@ -12,26 +13,18 @@ namespace {
 /// visit(list) for each list of one level.
 template <class Level, class Visit>
 void visit_level(Level& level, Visit& visit) {
-    visit(level.lists.links);
-    visit(level.lists.places);
     visit(level.lists.group_slots);
     visit(level.lists.fine_links.numbers);
     visit(level.lists.factors);
     visit(level.lists.fine_links.bases);
     visit(level.lists.fine_links.from_base);
-    visit(level.lists.constants.offsets);
-    visit(level.lists.constants.fine_links.numbers);
-    visit(level.lists.constants.factors);
-    visit(level.lists.constants.fine_links.bases);
-    visit(level.lists.constants.fine_links.from_base);
     visit.value(level.interpolation.fine);
     visit.value(level.interpolation.coarse);
     visit(level.interpolation.nodes);
     visit(level.interpolation.weights);
     visit(level.interpolation.kept);
     visit(level.interpolation.offsets);
-    visit(level.interpolation.fine_nodes);
-    visit(level.interpolation.fine_weights);
+    visit(level.interpolation.entries);
     visit.value(level.stencil.nodes);
     Stencil::for_each_list(level.stencil, visit);
     visit(level.link_rows);
@@ -42,9 +35,8 @@ void visit_level(Level& level, Visit& visit) {
 template <class Saved, class Visit>
 void visit_all_lists(Saved& saved, Visit& visit) {
     visit(saved.slots);
-    visit(saved.constant_links);
-    visit(saved.constant_weights);
-    visit(saved.constant_sums);
+    visit(saved.constants);
+    visit(saved.shifts);
     for (auto& level : saved.levels) visit_level(level, visit);
     if (saved.springs) SavedSprings::for_each_list(*saved.springs, visit);
 }
@@ -78,11 +70,6 @@ bool are_weights(std::span<const float> numbers) {
     return are_within(numbers, 1e6f);
 }
 
-bool are_links(const SharedBuffer<Link>& links, std::uint32_t nodes) {
-    static_assert(sizeof(Link) == 2 * sizeof(std::uint32_t));
-    return are_below({reinterpret_cast<const std::uint32_t*>(links.data()), 2 * links.size()}, nodes);
-}
-
 /// Whether there are `terms` terms in `rows` rows.
 bool are_fine_links(const FineLinks& links, std::size_t rows, std::size_t terms) {
     if (!links.is_packed()) return links.numbers.size() == terms;
@@ -114,32 +101,25 @@ bool name_links_below(const GalerkinLists& lists, std::size_t end) {
 }
 
 bool fits_transpose(const Interpolation& p) {
-    return are_offsets(p.offsets.span(), p.coarse, p.fine_nodes.size()) &&
-           p.fine_weights.size() == p.fine_nodes.size() && are_below(p.fine_nodes.span(), p.fine) &&
-           are_weights(p.fine_weights);
+    return are_offsets(p.offsets.span(), p.coarse, p.entries.size()) &&
+           are_below(p.entries.span(), std::size_t{Interpolation::width} * p.fine);
 }
 
-/// `fine`, `springs`, `constants`: the finer level's numbers of nodes, springs and constant links.
-bool fits_level(const CoarseLevel::Constants& level, std::uint32_t fine, std::size_t springs,
-                std::size_t constants) {
+/// `fine`, `springs`: the finer level's numbers of nodes and springs.
+bool fits_level(const CoarseLevel::Constants& level, std::uint32_t fine, std::size_t springs) {
     const GalerkinLists& lists = level.lists;
     const Interpolation& p = level.interpolation;
     constexpr std::uint32_t lanes = Stencil::lanes;
-    const std::size_t links = lists.links.size(), groups = lists.groups();
+    const std::size_t groups = lists.groups();
     const std::size_t weights = std::size_t{Interpolation::width} * Stencil::whole_groups(fine);
     return p.fine == fine && p.coarse > 0 && p.coarse <= fine / 2 && p.kept.size() == p.coarse &&
            p.nodes.size() == weights && p.weights.size() == weights && are_below(p.kept, fine) &&
            are_below(p.nodes.span(), p.coarse) && are_weights(p.weights) &&
-           are_links(lists.links, p.coarse) && lists.places.size() == links &&
-           are_below(lists.places.span(), groups * lanes) && lists.factors.size() % lanes == 0 &&
+           lists.factors.size() % lanes == 0 &&
            are_offsets(lists.group_slots.span(), groups, lists.factors.size() / lanes) &&
            are_fine_links(lists.fine_links, groups, lists.factors.size()) &&
-           name_links_below(lists, springs) && are_weights(lists.factors) &&
-           are_offsets(lists.constants.offsets.span(), links, lists.constants.factors.size()) &&
-           are_fine_links(lists.constants.fine_links, links, lists.constants.factors.size()) &&
-           (constants > 0 || lists.constants.factors.empty()) && are_weights(lists.constants.factors) &&
-           fits_transpose(p) && level.stencil.is_sound(p.coarse, 0) &&
-           level.link_rows.size() == level.stencil.neighbours.size() &&
+           name_links_below(lists, springs) && are_weights(lists.factors) && fits_transpose(p) &&
+           level.stencil.is_sound(p.coarse, 0) && level.link_rows.size() == level.stencil.neighbours.size() &&
            are_below(level.link_rows.span(), groups * lanes + 1) &&
            level.small_components.is_sound(p.coarse, groups * lanes);
 }
@@ -174,21 +154,18 @@ std::optional<SavedLevels> read_levels(PackedReader& reader, const ClothModel& m
 
 bool fit(const SavedLevels& levels, std::uint32_t particles, std::size_t entries) {
     if (levels.levels.empty())
-        return levels.slots.empty() && levels.constant_links.empty() && levels.constant_weights.empty();
-    const std::size_t sums = levels.constant_sums.size();
+        return levels.slots.empty() && levels.constants.empty() && levels.shifts.empty();
     if (levels.slots.empty() || !are_below(levels.slots.span(), entries / Stencil::lanes) ||
-        !are_links(levels.constant_links, particles) ||
-        levels.constant_weights.size() != levels.constant_links.size() ||
-        !are_within(levels.constant_weights) || !are_within(levels.constant_sums) ||
-        (sums > 0 && sums != std::size_t{levels.levels.front().lists.groups()} * Stencil::lanes))
+        levels.constants.size() != std::size_t{levels.levels.front().lists.groups()} * Stencil::lanes ||
+        levels.shifts.size() != levels.constants.size() || !are_from_zero(levels.shifts.span()) ||
+        !std::ranges::all_of(levels.constants, [](double sum) { return std::isfinite(sum); }))
         return false;
     std::uint32_t fine = particles;
-    std::size_t springs = levels.slots.size() * Stencil::lanes, constants = levels.constant_links.size();
+    std::size_t springs = levels.slots.size() * Stencil::lanes;
     for (const CoarseLevel::Constants& level : levels.levels) {
-        if (!fits_level(level, fine, springs, constants)) return false;
+        if (!fits_level(level, fine, springs)) return false;
         fine = level.interpolation.coarse;
         springs = std::size_t{level.lists.groups()} * Stencil::lanes;
-        constants = 0;
     }
     return true;
 }

@@ -128,10 +128,8 @@ Multigrid::Multigrid(Parallel& parallel, std::span<const Source> cloths, std::ve
     std::erase_if(stitches_, [&](const Link& link) { return is_linked(graph, link); });
     if (!stitches_.empty()) graph = with_stitches(graph, stitches_);
     std::vector<Link> links = links_of(graph);
-    std::vector<std::uint32_t> numbers(links.size(), none);
+    std::vector<float> constants(links.size());
     std::vector<std::uint32_t> slots;
-    std::vector<Link> constant_links;
-    std::vector<float> weights;
     const std::vector<std::uint32_t> firsts = first_particles(cloths);
     auto link = links.begin();
     for (std::size_t k = 0; k < cloths.size(); ++k) {
@@ -142,15 +140,9 @@ Multigrid::Multigrid(Parallel& parallel, std::span<const Source> cloths, std::ve
             if (std::ranges::binary_search(stitches_, *link)) continue;
             const std::uint32_t i = link->first - first, j = link->second - first;
             // The constants of two cloths have two scales, so that common levels have none.
-            const float weight = is_common() ? 0 : system.constant_block(i, j);
-            if (weight == 0) {
-                own.push_back(system.entry_between(i, j) / Stencil::lanes);
-                continue;
-            }
-            numbers[static_cast<std::size_t>(link - links.begin())] =
-                static_cast<std::uint32_t>(constant_links.size());
-            constant_links.push_back(*link);
-            weights.push_back(weight);
+            float& block = constants[static_cast<std::size_t>(link - links.begin())];
+            block = is_common() ? 0 : system.constant_block(i, j);
+            if (block == 0) own.push_back(system.entry_between(i, j) / Stencil::lanes);
         }
         make_set(own);
         parts_.push_back({.system = &system,
@@ -161,10 +153,8 @@ Multigrid::Multigrid(Parallel& parallel, std::span<const Source> cloths, std::ve
         slots.insert(slots.end(), own.begin(), own.end());
     }
     slots_ = SharedBuffer<std::uint32_t>(slots);
-    constants_.links = SharedBuffer<Link>(constant_links);
-    constants_.weights = SharedBuffer<float>(weights);
     if (is_common()) held_.reserve(2 * links.size());
-    make_levels(std::move(graph), std::move(links), numbers);
+    make_levels(std::move(graph), std::move(links), constants);
     if (is_common()) leave();
 }
 
@@ -176,40 +166,39 @@ Multigrid::Multigrid(ImplicitSystem& system, SavedLevels&& saved, std::uint32_t 
               .slots = static_cast<std::uint32_t>(saved.slots.size())}},
       ranges_(1),
       slots_(std::move(saved.slots)),
-      constants_{std::move(saved.constant_links), std::move(saved.constant_weights)},
+      constants_(AlignedBuffer<double>::from_bytes(std::as_bytes(std::as_const(saved.constants).span()))),
+      shifts_(std::move(saved.shifts)),
       pinned_(particles) {
     coarse_.reserve(saved.levels.size());
-    for (CoarseLevel::Constants& level : saved.levels) {
-        level.lists.constants.sums = AlignedBuffer<float>(level.lists.groups() * Stencil::lanes);
-        coarse_.emplace_back(std::move(level));
-    }
-    if (coarse_.empty()) return;
-    const SharedBuffer<float>& weights = coarse_.front().interpolation().weights;
-    weights_ = AlignedBuffer<float>::from_bytes(std::as_bytes(weights.span()));
-    has_pins_set_ = !saved.constant_sums.empty();
-    std::ranges::copy(saved.constant_sums, coarse_.front().constants().sums.data());
+    for (CoarseLevel::Constants& level : saved.levels) coarse_.emplace_back(std::move(level));
 }
 
-void Multigrid::lay_out(Scratch& scratch, std::size_t pairs) {
+// The springs are summed up before finish() makes a level's matrix, which takes their place. Stitches, which
+// are among the springs of common levels, are in use longer.
+void Multigrid::lay_out_cycle(Scratch& scratch, std::size_t pairs) {
     own_scratch_.free();
     has_pairs_ = pairs > 0;
     scratch.take(smooth_, pinned_.size());
     scratch.take(remainder_, pinned_.size());
     if (coarse_.empty()) return;
-    scratch.take(springs_, slots_.size() * Stencil::lanes + stitches_.size());
     for (CoarseLevel& level : coarse_) {
-        level.lay_out(scratch, pairs);
+        level.lay_out_pairs(scratch, pairs);
         pairs = level.pairs().room();
     }
+    const auto springs = [&] { scratch.take(springs_, slots_.size() * Stencil::lanes + stitches_.size()); };
+    const auto cycle = [&] {
+        for (CoarseLevel& level : coarse_) level.lay_out_cycle(scratch);
+    };
+    if (!is_common()) return scratch.take_by_turns(springs, cycle);
+    springs();
+    cycle();
 }
 
 SavedLevels Multigrid::constant_part() const {
     SavedLevels part;
     part.slots = slots_;
-    part.constant_links = constants_.links;
-    part.constant_weights = constants_.weights;
-    if (!coarse_.empty() && held_.empty())
-        part.constant_sums = SharedBuffer<float>(coarse_.front().lists().constants.sums.span());
+    part.constants = SharedBuffer<double>(constants_.span());
+    part.shifts = shifts_;
     part.levels.reserve(coarse_.size());
     for (const CoarseLevel& level : coarse_) part.levels.push_back(level.constant_part());
     part.springs = parts_.front().system->springs();
@@ -218,37 +207,35 @@ SavedLevels Multigrid::constant_part() const {
 
 // Adds levels until all components are small. Each keeps a ninth of its nodes on the next level. A level that
 // would keep more than half, because lengths have overflowed, is left to relaxation.
-void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links,
-                            std::span<const std::uint32_t> numbers) {
+void Multigrid::make_levels(SpringGraph graph, std::vector<Link> links, std::span<const float> constants) {
     Components components = components_of(graph);
+    std::vector<std::uint32_t> places;  // by link, from the second level on
     for (;;) {
         const std::uint32_t most_direct = coarse_.empty() ? 0 : ComponentSolver::most_nodes;
         Coarsening coarsening = coarsen(graph, components, ratio, most_direct);
         const std::uint32_t nodes = coarsening.interpolation.coarse;
         if (nodes == 0 || nodes > graph.nodes() / 2) break;
         const bool finest = coarse_.empty();
-        std::vector<bool> is_constant;
         std::vector<std::uint32_t> springs;  // by finest link
-        for (std::size_t k = 0; finest && k < links.size(); ++k) {
-            is_constant.push_back(numbers[k] != none);
-            springs.push_back(is_constant[k] ? 0 : spring_of(links[k]));
-        }
-        GalerkinLists lists = make_galerkin_lists(links, coarsening.interpolation, is_constant);
-        graph = make_coarse_graph(graph, coarsening, links, lists);
-        links.assign(lists.links.begin(), lists.links.end());
+        for (std::size_t k = 0; finest && k < links.size(); ++k)
+            springs.push_back(constants[k] != 0 ? 0 : spring_of(links[k]));
+        CoarseLinks coarse =
+            make_coarse_links(links, coarsening.interpolation, finest ? constants : std::span<const float>());
+        GalerkinLists& lists = coarse.lists;
+        graph = make_coarse_graph(graph, coarsening, links, coarse);
         components = components_of(graph);
         if (finest) {
-            weights_ = AlignedBuffer<float>(coarsening.interpolation.weights.size());
-            std::ranges::copy(coarsening.interpolation.weights.span(), weights_.data());
+            constants_ = AlignedBuffer<double>::from_bytes(std::as_bytes(std::span(coarse.constants)));
+            shifts_ = SharedBuffer<float>(std::span<const float>(coarse.shifts));
             for (std::uint32_t& link : lists.fine_links.numbers)
                 link = springs[link];  // padding may name any link
-            for (std::uint32_t& link : lists.constants.fine_links.numbers) link = numbers[link];
         } else {
-            const SharedBuffer<std::uint32_t>& places = coarse_.back().lists().places;
             for (std::uint32_t& link : lists.fine_links.numbers.span()) link = places[link];
         }
         lists.pack_fine_links();
-        coarse_.emplace_back(std::move(lists), std::move(coarsening.interpolation), graph, components);
+        coarse_.emplace_back(coarse, std::move(coarsening.interpolation), graph, components);
+        links = std::move(coarse.links);
+        places = std::move(coarse.places);
     }
     coarse_.shrink_to_fit();
 }
@@ -290,7 +277,7 @@ void Multigrid::build(Parallel& parallel) {
     sum_first_ground(parallel);
     for (const HeldSpring& held : held_)
         if (held.spring != constant) springs_[held.spring] = {};
-    coarse_.front().sum_links(parallel, springs_.span(), constant_scale());
+    coarse_.front().sum_links(parallel, springs_.span(), constants_.span(), constant_scale());
     for (std::size_t k = 1; k < coarse_.size(); ++k) coarse_[k].sum(parallel, coarse_[k - 1]);
     // A level's bound is added after the sums: it is no ground of the next level, which has its own rows.
     for (CoarseLevel& level : coarse_) {
@@ -302,7 +289,7 @@ void Multigrid::build(Parallel& parallel) {
 void Multigrid::gather_pairs(Parallel& parallel) {
     CoarsePairs& pairs = coarse_.front().pairs();
     if (pairs.listed().empty()) return;
-    pairs.gather(parallel, numbering(), coarse_.front().interpolation(), weights_.span());
+    pairs.gather(parallel, numbering(), {coarse_.front().interpolation(), pinned_.data()});
     for (std::size_t k = 1; k < coarse_.size(); ++k)
         coarse_[k].pairs().gather(parallel, coarse_[k - 1].pairs(), coarse_[k].interpolation());
 }
@@ -388,7 +375,7 @@ void Multigrid::cycle(Parallel& parallel) {
     for (const Part& part : parts_)
         if (part.system != nullptr)
             part.system->relax_corrected(parallel, part.r, finest_step, of(part, smooth_),
-                                         {first.interpolation(), weights_.span(), first.x(), part.first},
+                                         {first.interpolation(), first.x(), pinned_.data(), part.first},
                                          part.z);
     relax_stitches();
 }
@@ -410,7 +397,7 @@ void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
         const Interpolation& p = coarse_[k + 1].interpolation();
         restrict_to(parallel, p, level.before(), coarse_[k + 1].b());
         solve_level(parallel, k + 1);
-        prolong_from(parallel, {p, p.weights.span(), coarse_[k + 1].x()}, level.x());
+        prolong_from(parallel, {p, coarse_[k + 1].x()}, level.x());
     }
     level.relax(parallel, once ? Relaxation{.step = first_coarse_step} : coarse_smoothing.first);
     if (!once) level.relax(parallel, coarse_smoothing.second);
@@ -418,9 +405,9 @@ void Multigrid::relax_and_correct(Parallel& parallel, std::size_t k) {
 
 std::size_t Multigrid::bytes() const noexcept {
     std::size_t sum = slots_.bytes() + held_.capacity() * sizeof(HeldSpring) + pinned_.bytes() +
-                      constants_.links.bytes() + constants_.weights.bytes() + weights_.bytes() +
-                      coarse_.size() * sizeof(CoarseLevel) + parts_.size() * sizeof(Part) +
-                      stitches_.size() * sizeof(Link) + stitched_.size() * sizeof(std::uint32_t);
+                      constants_.bytes() + shifts_.bytes() + coarse_.size() * sizeof(CoarseLevel) +
+                      parts_.size() * sizeof(Part) + stitches_.size() * sizeof(Link) +
+                      stitched_.size() * sizeof(std::uint32_t);
     for (const CoarseLevel& level : coarse_) sum += level.bytes();
     return sum;
 }

@@ -54,7 +54,19 @@ class Multigrid {
 
     /// Lays out the operators and vectors of a substep. `pairs`: the most pairs in which the cloth touches
     /// itself.
-    void lay_out(Scratch& scratch, std::size_t pairs);
+    void lay_out(Scratch& scratch, std::size_t pairs) {
+        lay_out(scratch, pairs, [] {});
+    }
+    /// The same, with arrays that `later` lays out where build() has its sums: they come into use after it.
+    template <class Later>
+    void lay_out(Scratch& scratch, std::size_t pairs, const Later& later) {
+        lay_out_cycle(scratch, pairs);
+        scratch.take_by_turns(
+            [&] {
+                for (CoarseLevel& level : coarse_) level.lay_out_sums(scratch);
+            },
+            later);
+    }
     /// lay_out() in memory of its own. Levels that were made have such memory; copies do not.
     void lay_out_alone(std::size_t pairs = 0) { own_scratch_.lay_out(*this, pairs); }
 
@@ -110,11 +122,6 @@ class Multigrid {
     static constexpr std::uint32_t constant = ~0u;
     /// Of relaxation on the finest level, where the spectrum of D^-1 W ends below 2.
     static constexpr float finest_step = 2 / (0.4f + 2.0f);
-    /// Links whose blocks are constant.
-    struct ConstantLinks {
-        SharedBuffer<Link> links;  // ascending
-        SharedBuffer<float> weights;
-    };
     using HeldSprings = HookedVector<HeldSpring>;
 
     [[nodiscard]] const Part& part_of(std::uint32_t particle) const {
@@ -139,12 +146,11 @@ class Multigrid {
     void subtract_stitches();
     void relax_stitches();
 
-    /// `links`: those of the finest level; numbers[k]: the k-th link's number among constant ones, or none.
-    void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const std::uint32_t> numbers);
+    /// `links`: those of the finest level; constants[k]: the k-th one's constant block, or 0.
+    void make_levels(SpringGraph graph, std::vector<Link> links, std::span<const float> constants);
     static constexpr std::uint32_t none = ~0u;
-    void sum_constant(std::uint32_t coarse_link) noexcept;
-    /// Sums the constants again that a particle's links are in.
-    void sum_constants_at(std::uint32_t particle) noexcept;
+    /// Adds `times` the constant blocks of a particle's links to free neighbours to the first level's.
+    void add_constants_of(std::uint32_t particle, double times) noexcept;
     /// The place of a link of the finest level in springs_.
     [[nodiscard]] std::uint32_t spring_of(const Link& link) const;
     /// body(neighbour, link) for the links of a particle, neighbours ascending.
@@ -153,6 +159,7 @@ class Multigrid {
     [[nodiscard]] std::size_t links_of_particle(std::uint32_t particle) const;
     /// Writes the particle's springs from `at` on.
     void hold_springs_of(std::uint32_t particle, HeldSprings::iterator at) const;
+    /// Notes whether a particle is pinned. Precondition: it was not so before.
     void mark(std::uint32_t particle, bool pinned) noexcept;
     void gather_pairs(Parallel& parallel);
     void hold_other_bodies();
@@ -180,6 +187,7 @@ class Multigrid {
     }
     template <class IsPinned>
     void set_pins_where(const IsPinned& is_pinned);
+    void lay_out_cycle(Scratch& scratch, std::size_t pairs);
     void solve_level(Parallel& parallel, std::size_t level);
     void relax_and_correct(Parallel& parallel, std::size_t level);
 
@@ -191,15 +199,15 @@ class Multigrid {
     SharedBuffer<std::uint32_t>
         slots_;                   // the systems' slots with links at their first ends, each's ascending
     ScratchArray<Vec4> springs_;  // blocks of these, see ImplicitSystem::spring_blocks; last stitches'
-    ConstantLinks constants_;
+    // Of the first level by place, see CoarseLinks; of links between free particles.
+    AlignedBuffer<double> constants_;
+    SharedBuffer<float> shifts_;
     HeldSprings held_;                    // ascending by pinned particle, then by neighbour
     AlignedBuffer<std::uint8_t> pinned_;  // 1 or 0
-    AlignedBuffer<float> weights_;        // of the first level's P, rows of pinned particles 0
     std::vector<CoarseLevel> coarse_;
     ScratchArray<Vec4> smooth_, remainder_;
     OwnScratch own_scratch_;
-    bool has_pairs_ = false;     // room for pairs was laid out
-    bool has_pins_set_ = false;  // the state of pins is known
+    bool has_pairs_ = false;  // room for pairs was laid out
     // The most links of one particle, and the links of all; 0: not counted yet.
     std::uint32_t most_links_ = 0;
     std::size_t all_links_ = 0;

@@ -1,49 +1,12 @@
 // The pins of multigrid levels: which springs hold the coarse nodes.
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 
 #include "cloth/solver/levels/multigrid.h"
 
 namespace weft {
-
-void Multigrid::sum_constant(std::uint32_t k) noexcept {
-    GalerkinLists::Constants& terms = coarse_.front().constants();
-    double sum = 0;
-    for (std::uint32_t t = terms.offsets[k]; t < terms.offsets[k + 1]; ++t) {
-        // The number is in range, except in levels from a malicious file.
-        const std::size_t number =
-            std::min<std::size_t>(terms.fine_links.of(k, t), constants_.links.size() - 1);
-        const Link& link = constants_.links[number];
-        if (pinned_[link.first] != 0 || pinned_[link.second] != 0) continue;
-        sum += static_cast<double>(terms.factors[t] * constants_.weights[number]);
-    }
-    terms.sums[coarse_.front().lists().places[k]] = static_cast<float>(sum);
-}
-
-// A link has terms in the coarse links between the nodes that its two ends are interpolated from.
-void Multigrid::sum_constants_at(std::uint32_t particle) noexcept {
-    const GalerkinLists& lists = coarse_.front().lists();
-    const Interpolation& p = coarse_.front().interpolation();
-    for_each_link_of(particle, [&](std::uint32_t, const Link& link) {
-        if (!std::ranges::binary_search(constants_.links, link)) return;
-        std::array<std::uint32_t, 2 * std::size_t{Interpolation::width}> nodes;
-        std::size_t count = 0;
-        for (const std::uint32_t end : {link.first, link.second})
-            for (std::uint32_t e = Interpolation::width * end; e < Interpolation::width * (end + 1); ++e)
-                if (p.weights[e] != 0) nodes[count++] = p.nodes[e];
-        for (const std::uint32_t a : std::span(nodes).first(count)) {
-            for (const std::uint32_t b : std::span(nodes).first(count)) {
-                if (a >= b) continue;
-                const auto at = std::ranges::lower_bound(lists.links, Link{a, b});
-                if (at != lists.links.end() && *at == Link{a, b})
-                    sum_constant(static_cast<std::uint32_t>(at - lists.links.begin()));
-            }
-        }
-    });
-}
 
 std::uint32_t Multigrid::place_of_stitch(const Link& link) const {
     const auto at = std::ranges::lower_bound(stitches_, link);
@@ -92,11 +55,24 @@ void Multigrid::hold_springs_of(std::uint32_t particle, HeldSprings::iterator at
     });
 }
 
+void Multigrid::add_constants_of(std::uint32_t particle, double times) noexcept {
+    if (is_common()) return;
+    const CoarseLevel& level = coarse_.front();
+    for_each_link_of(particle, [&](std::uint32_t neighbour, const Link& link) {
+        const float block = parts_.front().system->constant_block(link.first, link.second);
+        if (block == 0 || pinned_[neighbour] != 0) return;
+        for_each_term(level.interpolation(), link, [&](const Link& coarse, float factor) {
+            const std::uint32_t place = level.matrix().place_between(coarse, level.lists());
+            // The place is in range, except in levels from a malicious file.
+            if (place < constants_.size())
+                constants_[place] += times * exact_term(factor * block, shifts_[place]);
+        });
+    });
+}
+
 void Multigrid::mark(std::uint32_t particle, bool pinned) noexcept {
     pinned_[particle] = pinned ? 1 : 0;
-    const Interpolation& p = coarse_.front().interpolation();
-    for (std::uint32_t e = Interpolation::width * particle; e < Interpolation::width * (particle + 1); ++e)
-        weights_[e] = pinned ? 0 : p.weights[e];
+    add_constants_of(particle, pinned ? -1 : 1);
 }
 
 void Multigrid::pin(std::uint32_t particle) {
@@ -105,7 +81,6 @@ void Multigrid::pin(std::uint32_t particle) {
     const auto at = held_.insert(held_.begin() + later, links_of_particle(particle), HeldSpring{});
     hold_springs_of(particle, at);
     mark(particle, true);
-    sum_constants_at(particle);
 }
 
 void Multigrid::unpin(std::uint32_t particle) noexcept {
@@ -113,7 +88,6 @@ void Multigrid::unpin(std::uint32_t particle) noexcept {
     const auto own = std::ranges::equal_range(held_, particle, {}, &HeldSpring::pinned);
     held_.erase(own.begin(), own.end());
     mark(particle, false);
-    sum_constants_at(particle);
 }
 
 template <class IsPinned>
@@ -121,8 +95,7 @@ void Multigrid::set_pins_where(const IsPinned& is_pinned) {
     const auto particles = static_cast<std::uint32_t>(pinned_.size());
     std::uint32_t others = 0;
     for (std::uint32_t i = 0; i < particles; ++i) others |= pinned_[i] ^ (is_pinned(i) ? 1u : 0u);
-    if (others == 0 && has_pins_set_) return;
-    has_pins_set_ = true;
+    if (others == 0) return;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < particles; ++i)
         if (is_pinned(i)) count += links_of_particle(i);
@@ -130,12 +103,11 @@ void Multigrid::set_pins_where(const IsPinned& is_pinned) {
     held_.resize(count);
     auto at = held_.begin();
     for (std::uint32_t i = 0; i < particles; ++i) {
-        mark(i, is_pinned(i));
+        if ((pinned_[i] != 0) != is_pinned(i)) mark(i, is_pinned(i));
         if (pinned_[i] == 0) continue;
         hold_springs_of(i, at);
         at += static_cast<std::ptrdiff_t>(links_of_particle(i));
     }
-    for (std::uint32_t k = 0; k < coarse_.front().lists().links.size(); ++k) sum_constant(k);
 }
 
 void Multigrid::set_pins(std::span<const Vec4> positions) {

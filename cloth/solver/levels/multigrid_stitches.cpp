@@ -74,15 +74,15 @@ void Multigrid::subtract_stitches() {
 
 void Multigrid::relax_stitches() {
     if (!is_common()) return;
-    const Interpolation& p = coarse_.front().interpolation();
+    const FreeRows p{coarse_.front().interpolation(), pinned_.data()};
     const std::span<const Vec4> coarse = coarse_.front().x();
     for_each_end([&](const Part& part, std::uint32_t i, std::uint32_t) {
         part.system->precondition_group(i, part.r, finest_step, of(part, smooth_));
     });
     for_each_end([&](const Part&, std::uint32_t, std::uint32_t at) {
         Vector3 x = xyz(smooth_[at]);
-        for (std::uint32_t e = Interpolation::width * at; e < Interpolation::width * (at + 1); ++e)
-            x += weights_[e] * xyz(coarse[p.nodes[e]]);
+        const auto [nodes, weights] = p[at];
+        for (std::uint32_t k = 0; k < Interpolation::width; ++k) x += weights[k] * xyz(coarse[nodes[k]]);
         smooth_[at] = to_vec4(x, 0);
     });
     multiply_stitches([&](const Part& part) { return of(part, remainder_); });

@@ -19,9 +19,8 @@ namespace weft {
 struct SavedLevels {
     SystemKind kind{ClothSettings()};  ///< of the system that they were made for
     SharedBuffer<std::uint32_t> slots;
-    SharedBuffer<Link> constant_links;
-    SharedBuffer<float> constant_weights;
-    SharedBuffer<float> constant_sums;           ///< without pins; empty: not known
+    SharedBuffer<double> constants;  ///< of the first level by place, see CoarseLinks; without pins
+    SharedBuffer<float> shifts;
     std::vector<CoarseLevel::Constants> levels;  ///< the finest first
     std::optional<SavedSprings> springs;         ///< the system, if it is of springs
 };

@@ -31,8 +31,8 @@ MultilevelSolver::MultilevelSolver(const MultilevelSolver& other, const ClothMod
 void MultilevelSolver::lay_out(Scratch& scratch, std::size_t pairs) {
     Solver::lay_out(scratch, pairs);
     system_->lay_out(scratch);
-    multigrid_->lay_out(scratch, pairs);
     vectors_.lay_out(scratch, pieces_.particles());
+    multigrid_->lay_out(scratch, pairs, [&] { vectors_.lay_out_later(scratch, pieces_.particles()); });
     residual_.lay_out(scratch);
 }
 

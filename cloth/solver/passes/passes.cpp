@@ -241,7 +241,10 @@ void Passes::linearise() {
             const auto levels_timer = member.step.timed(Stage::coarse_operators);
             member.levels.build(threads);
         });
-    for (const PassMember& member : members_) find_response(members_, member, frame_, !is_first);
+    for (const PassMember& member : members_) {
+        if (is_first) member.vectors.begin_later();
+        find_response(members_, member, frame_, !is_first);
+    }
     eliminate_bodies();
 }
 

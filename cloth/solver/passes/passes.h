@@ -30,9 +30,15 @@ struct VelocitySums {
 /// Vectors of one cloth: one Vec4 a particle, w 0; where the particle is pinned, all is 0.
 struct PassVectors {
     void lay_out(Scratch& scratch, std::uint32_t particles) {
-        for (auto* vector : {&motion, &change, &correction, &of_motion, &of_change})
-            scratch.take(*vector, particles);
+        scratch.take(motion, particles);
         scratch.take(partials, block_count(particles));
+    }
+    /// Lays out the vectors that come into use once the levels are built.
+    void lay_out_later(Scratch& scratch, std::uint32_t particles) {
+        for (auto* vector : {&change, &correction, &of_motion, &of_change}) scratch.take(*vector, particles);
+    }
+    void begin_later() noexcept {
+        for (auto* vector : {&change, &correction, &of_motion, &of_change}) vector->clear_padding();
     }
 
     ScratchArray<Vec4> motion;                ///< velocity in the group's frame [m/s]

@@ -92,7 +92,7 @@ struct Gathered {
         pairs.reserve(scene.pairs.size, count);
         const Numbering::Range range{first, 0, count};
         pairs.list(linearised.rows, Numbering({&range, 1}));
-        pairs.gather(linearised.parallel, Numbering({&range, 1}), p, p.weights.span());
+        pairs.gather(linearised.parallel, Numbering({&range, 1}), {p});
     }
 };
 

@@ -200,8 +200,8 @@ TEST(Contacts, HoldCoarseNodesByTheirShareOfParticles) {
     for (std::uint32_t c = 0; c < p.coarse; ++c) {
         Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
         for (std::uint32_t e = p.offsets[c]; e < p.offsets[c + 1]; ++e)
-            if (const std::uint32_t i = p.fine_nodes[e]; rows.touches(i))
-                expected += static_cast<double>(p.fine_weights[e]) * rows.block(i).full();
+            if (const std::uint32_t i = p.entries[e] / Interpolation::width; rows.touches(i))
+                expected += static_cast<double>(p.weights[p.entries[e]]) * rows.block(i).full();
         const Eigen::Matrix3d found = with.level(0).matrix().ground_rows[c].full();
         const Eigen::Matrix3d added = found - without.level(0).matrix().ground_rows[c].full();
         EXPECT_LT((added - expected).norm(), 1e-5 * found.norm()) << c;

@@ -39,8 +39,7 @@ WindowResults all_of_windows(const SpringScene& scene, Parallel& parallel) {
     AlignedBuffer<Vec4> first(scene.size());
     system.subtract_first_step(parallel, b, 0.75f, first.span(), out.span());
     results.remainder = values(out);
-    system.relax_corrected(parallel, b, 0.75f, first.span(), {p, p.weights.span(), coarse.span()},
-                           out.span());
+    system.relax_corrected(parallel, b, 0.75f, first.span(), {p, coarse.span()}, out.span());
     results.corrected = values(out);
     system.relax(parallel, b, x, {.step = 0.75f}, out.span());
     results.relaxed = values(out);

@@ -190,7 +190,7 @@ TEST_P(SpringKernels, StepsOfACycleAreThoseOneByOne) {
         const std::uint32_t n = scene.size();
         const AlignedBuffer<Vec4> b = random_rows(n, 1, 6), e = random_rows(7, 1, 9);
         const Interpolation p = random_interpolation(scene, 7);
-        const Correction correction{p, p.weights.span(), e.span()};
+        const Correction correction{p, e.span()};
 
         AlignedBuffer<Vec4> x(n), product(n), next(n);
         system.precondition(serial, b.span(), 0.75f, x.span());
