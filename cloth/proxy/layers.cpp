@@ -70,6 +70,18 @@ void leave_out_to_rims(const PlainSurface& surface, float thickness, std::vector
     }
 }
 
+/// Keeps the parts of which too little would be left out for a doubled mesh: the sides of a tight fold lie as
+/// near, and the cloth would be torn where one of them is left out.
+void keep_folded_parts(const PlainSurface& surface, std::vector<bool>& kept) {
+    constexpr float least_share = 0.25f;  // of a part's area
+    const std::vector<std::uint32_t> parts = parts_of(surface, std::vector<bool>(kept.size(), true));
+    std::vector<float> surplus(surface.triangles.size());  // by part: what is left out beyond that share
+    for (std::size_t t = 0; t < kept.size(); ++t)
+        surplus[parts[t]] += ((kept[t] ? 0 : 1) - least_share) * area_of(surface, surface.triangles[t]);
+    for (std::size_t t = 0; t < kept.size(); ++t)
+        if (surplus[parts[t]] < 0) kept[t] = true;
+}
+
 }  // namespace
 
 std::vector<bool> outer_layers(const PlainSurface& surface, float thickness) {
@@ -97,6 +109,7 @@ std::vector<bool> outer_layers(const PlainSurface& surface, float thickness) {
             back_layers[other] == layer && std::pair(areas[layer], other) < std::pair(areas[other], layer);
     for (std::size_t t = 0; t < kept.size(); ++t) kept[t] = !(is_doubled[t] && is_inner[layers[t]]);
     leave_out_to_rims(surface, thickness, kept);
+    keep_folded_parts(surface, kept);
     return kept;
 }
 

@@ -57,16 +57,6 @@ Result<Mesh> load_garment(const SceneOptions& options, std::string& note) {
     return mesh;
 }
 
-/// A proxy of about so many particles. The two sides of a tight fold lie as near as a doubled mesh's layers
-/// do, and the proxy would be torn where one is left out: a mesh is doubled if a quarter of it has two
-/// layers.
-Result<Mesh> simulated_in_place_of(const Mesh& fine, std::uint32_t particles, ProxyReport& made) {
-    auto proxy = make_proxy(fine, {.particles = particles}, &made);
-    if (!proxy || 4 * std::size_t{made.left_out_triangles} >= fine.triangles.size()) return proxy;
-    made = {};
-    return make_proxy(fine, {.particles = particles, .thickness = 0}, &made);
-}
-
 class HungGarment final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
@@ -90,7 +80,7 @@ class HungGarment final : public Scene {
         Mesh drawn;
         ProxyReport made;
         if (options.simulated > 0) {
-            auto proxy = simulated_in_place_of(mesh_, options.simulated, made);
+            auto proxy = make_proxy(mesh_, {.particles = options.simulated}, &made);
             if (!proxy) return Error{proxy.error().code, "--simulate: " + proxy.error().message};
             drawn = std::exchange(mesh_, std::move(*proxy));
         }

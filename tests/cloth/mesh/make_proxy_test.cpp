@@ -205,6 +205,73 @@ TEST(MakeProxy, HasTheCornersOfASheet) {
     }
 }
 
+/// A sheet with a pleat, which is so deep [m]: a turn of 3 mm and one of 1.5 mm.
+Mesh pleated_sheet(float depth) {
+    constexpr float first = 0.003f, second = 0.0015f;
+    std::vector<std::array<float, 2>> section;  // along and up
+    const auto run = [&](float from, float to, float up) {
+        constexpr int steps = 24;
+        for (int k = 0; k < steps; ++k)
+            section.push_back({from + (to - from) * static_cast<float>(k) / steps, up});
+    };
+    const auto turn = [&](float at, float up, float gap, float side) {
+        constexpr int steps = 6;
+        for (int k = 0; k < steps; ++k) {
+            const float angle = std::numbers::pi_v<float> * static_cast<float>(k) / steps;
+            section.push_back(
+                {at + side * 0.5f * gap * std::sin(angle), up + 0.5f * gap * (1 - std::cos(angle))});
+        }
+    };
+    run(0, 0.5f, 0);
+    turn(0.5f, 0, first, 1);
+    run(0.5f, 0.5f - depth, first);
+    turn(0.5f - depth, first, second, -1);
+    run(0.5f - depth, 1, first + second);
+    constexpr std::uint32_t columns = 25;
+    Mesh mesh;
+    for (const auto& [along, up] : section)
+        for (std::uint32_t c = 0; c < columns; ++c)
+            mesh.positions.push_back({0.02f * static_cast<float>(c), up, along});
+    for (std::uint32_t a = 0; a + columns < mesh.positions.size(); ++a) {
+        if (a % columns == columns - 1) continue;
+        mesh.triangles.push_back({a, a + columns, a + columns + 1});
+        mesh.triangles.push_back({a, a + columns + 1, a + 1});
+    }
+    return mesh;
+}
+
+// The sides of a fold lie as near as the layers of a doubled mesh do.
+TEST(MakeProxy, KeepsFoldedClothTogether) {
+    for (const float depth : {0.02f, 0.05f, 0.1f, 0.2f}) {
+        const Mesh fine = pleated_sheet(depth);
+        ProxyReport report;
+        const auto proxy = make_proxy(fine, {.particles = 900}, &report);
+        ASSERT_TRUE(proxy.ok()) << proxy.error().message;
+        EXPECT_EQ(report.left_out_triangles, 0u);
+        EXPECT_EQ(report.parts, 1u);
+        EXPECT_EQ(euler_number(*proxy), 1);
+        EXPECT_NEAR(area_of(*proxy) / area_of(fine), 1, 0.02);
+    }
+}
+
+// Each part is doubled or folded by itself.
+TEST(MakeProxy, LeavesOutTheLiningBesideFoldedCloth) {
+    Mesh fine = skirt(0.003f);
+    const auto first = static_cast<std::uint32_t>(fine.positions.size());
+    const std::size_t of_skirt = fine.triangles.size();
+    const Mesh folded = pleated_sheet(0.1f);
+    for (const Vec3& p : folded.positions) fine.positions.push_back({p.x + 2, p.y, p.z});
+    for (const auto& [a, b, c] : folded.triangles)
+        fine.triangles.push_back({first + a, first + b, first + c});
+    ProxyReport report;
+    const auto proxy = make_proxy(fine, {.particles = 1600}, &report);
+    ASSERT_TRUE(proxy.ok()) << proxy.error().message;
+    EXPECT_EQ(report.parts, 2u);
+    EXPECT_EQ(euler_number(*proxy), 1);  // a tube and a disc
+    EXPECT_NEAR(static_cast<double>(report.left_out_triangles) / static_cast<double>(of_skirt), 0.5, 0.05);
+    EXPECT_NEAR(area_of(*proxy) / (area_of(skirt(0)) + area_of(folded)), 1, 0.02);
+}
+
 TEST(MakeProxy, RefinesACoarseMesh) {
     ProxyReport report;
     const auto proxy = make_proxy(*make_sheet({.rows = 2, .columns = 3}), {.particles = 500}, &report);
