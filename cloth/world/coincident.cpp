@@ -15,15 +15,15 @@ void log_coincident(const Simulation& world, const Cloth& added) {
     if (!added.has_features()) return;
     std::vector<Place> places;  // of the new cloth, ascending
     world.cloths.for_each([&](ClothId id, const std::unique_ptr<Cloth>& other) {
-        if (!other->has_features() || !may_meet(added, *other)) return;
+        if (!other->has_features() || !may_meet(added, *other) ||
+            !overlap({added.extent.lower, added.extent.upper}, {other->extent.lower, other->extent.upper}))
+            return;
         if (places.empty()) {
             std::ranges::transform(added.state.positions.span(), std::back_inserter(places), place_of);
             std::ranges::sort(places);
         }
-        // The places' first coordinates rule out most cloth without a search.
-        const float first = places.front()[0], last = places.back()[0];
         const auto count = std::ranges::count_if(other->state.positions.span(), [&](const Vec4& x) {
-            return x.x >= first && x.x <= last && std::ranges::binary_search(places, place_of(x));
+            return std::ranges::binary_search(places, place_of(x));
         });
         if (count > 0)
             log_line(LogLevel::note,
