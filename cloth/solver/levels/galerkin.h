@@ -43,7 +43,7 @@ struct FineLinks {
 };
 
 /// The terms of each coarse spring: a factor and a spring of the finer level. Sums are taken 16 at a time, as
-/// the rows of a Stencil are. Of each 256 sums those with the most terms come first, so that the lanes of a
+/// the rows of a Stencil are. Of each 1024 sums those with the most terms come first, so that lanes of a
 /// group have about equally many.
 struct GalerkinLists {
     SharedBuffer<std::uint32_t> group_slots;  ///< slots of group g: [group_slots[g], group_slots[g + 1])
