@@ -122,10 +122,10 @@ class ImplicitSystem {
     /// Precondition: i and j are neighbours.
     [[nodiscard]] virtual std::uint32_t entry_between(std::uint32_t i, std::uint32_t j) const;
     [[nodiscard]] virtual std::size_t entries() const noexcept { return stencil().neighbours.size(); }
-    /// Approximates each off-diagonal block of some slots (16 entries each) by the nearest block a I + d d^T,
-    /// exact for springs. Bending makes a negative where it pulls particles apart. The coarse levels are made
-    /// from these. blocks[16 k + lane] belongs to slots[k]: d [sqrt(kg)], w a [kg]. Rows of pinned particles
-    /// have them as well.
+    /// Springs a I + d d^T that stand for the off-diagonal blocks of some slots (16 entries each), and are
+    /// the blocks where the system is of springs. Bending makes a negative where it pulls particles apart.
+    /// The coarse levels are made from these. blocks[16 k + lane] belongs to slots[k]: d [sqrt(kg)], w a
+    /// [kg]. Rows of pinned particles have them as well.
     virtual void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                std::span<Vec4> blocks) = 0;
     /// spring_blocks() of all slots. Allocates, so no step may call it.

@@ -29,7 +29,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "lists are copied as they lie in memory");
 
 /// Raised with each change of the format below, or of how meshes are cooked.
-constexpr std::uint32_t cooked_version = 11;
+constexpr std::uint32_t cooked_version = 12;
 constexpr std::array<char, 8> cooked_mark = {'W', 'E', 'F', 'T', 'C', 'O', 'O', 'K'};
 
 struct CookedHead {

@@ -25,12 +25,12 @@ HWY_INLINE Point<Lanes> gathered(const Vec4* rows, const SharedBuffer<std::uint3
     return {v.x, v.y, v.z};
 }
 
-HWY_INLINE void store(const Point<Lanes>& v, Vec4* rows) {
-    store_rows({v.x, v.y, v.z}, hn::Zero(Tag()), rows);
+HWY_INLINE void store(const Point<Lanes>& v, Vec4* rows, Lanes w = hn::Zero(Tag())) {
+    store_rows({v.x, v.y, v.z}, w, rows);
 }
 
-HWY_INLINE void store(const Block<Lanes>& block, Vec4* rows) {
-    store(block.x, rows);
+HWY_INLINE void store(const Block<Lanes>& block, Lanes tension, Vec4* rows) {
+    store(block.x, rows, tension);
     store(block.y, rows + Stencil::lanes);
     store(block.z, rows + 2 * Stencil::lanes);
 }
@@ -68,9 +68,9 @@ void compute(TriangleElements& elements, const BlockRange& range, const Triangle
         if (!pass.stiffness) continue;
         const Stiffness<Lanes> k = stiffness(
             rest, p, second_derivative(c, p, elastic, hn::Set(d, pass.elastic), hn::Set(d, pass.viscous)));
-        store(k.from0to1, side(0));
-        store(k.from1to2, side(1));
-        store(k.from2to0, side(2));
+        store(k.from0to1, k.tension01, side(0));
+        store(k.from1to2, k.tension12, side(1));
+        store(k.from2to0, k.tension20, side(2));
     }
 }
 

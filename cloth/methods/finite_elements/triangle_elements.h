@@ -20,7 +20,7 @@ struct TriangleElements {
     void lay_out(Scratch& scratch);
 
     /// Rows per triangle: for each side, from corner k to the next, the three rows of that block of Stiffness
-    /// and the force on corner k [N].
+    /// and the force on corner k [N]. The first row's w is what that block has along the triangle's normal.
     static constexpr std::uint32_t rows_per_side = 4, rows = 3 * rows_per_side;
 
     std::uint32_t count;

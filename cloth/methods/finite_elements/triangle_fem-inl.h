@@ -280,6 +280,7 @@ HWY_INLINE Block<Real> block_in_space(const Polar<Real>& p, const PlaneBlock<Rea
 template <class Real>
 struct Stiffness {
     Block<Real> from0to1, from1to2, from2to0;
+    Real tension01, tension12, tension20;  ///< what the blocks have along the triangle's normal
 };
 
 template <class Real>
@@ -291,9 +292,14 @@ HWY_INLINE Stiffness<Real> stiffness(const RestTriangle<Real>& rest, const Polar
     const PlaneBlock<Real> k11 = plane_block(d, rest.area, one, one),
                            k22 = plane_block(d, rest.area, two, two);
     const PlaneBlock<Real> k12 = plane_block(d, rest.area, one, two);
-    return {block_in_space(p, k11 + k12.transposed()),
-            block_in_space(p, plane_block(d, minus_area, one, two)),
-            block_in_space(p, k22 + k12.transposed())};
+    const PlaneBlock<Real> k01 = k11 + k12.transposed(), minus12 = plane_block(d, minus_area, one, two),
+                           k20 = k22 + k12.transposed();
+    return {block_in_space(p, k01),
+            block_in_space(p, minus12),
+            block_in_space(p, k20),
+            k01.nn,
+            minus12.nn,
+            k20.nn};
 }
 
 }  // namespace weft::HWY_NAMESPACE

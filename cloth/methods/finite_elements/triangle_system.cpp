@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include "cloth/fabric/spring_system.h"
 #include "cloth/mesh/rest/bending.h"
+#include "cloth/mesh/rest/slivers.h"
 
 namespace weft {
 
 namespace {
 
 constexpr std::uint32_t block_floats = 9;
+constexpr std::uint32_t no_block = ~std::uint32_t{0};
 
 /// A block as it lies in the matrix, every 16 floats.
 template <class Block>
@@ -20,9 +22,6 @@ using RowMajor3 = Eigen::Matrix<float, 3, 3, Eigen::RowMajor>;
 
 InMatrix<RowMajor3> block_at(TriangleMatrix& matrix, std::uint32_t entry) {
     return InMatrix<RowMajor3>(&matrix.blocks[lane_index(entry, 0, block_floats)]);
-}
-InMatrix<const RowMajor3> block_at(const TriangleMatrix& matrix, std::uint32_t entry) {
-    return InMatrix<const RowMajor3>(&matrix.blocks[lane_index(entry, 0, block_floats)]);
 }
 
 /// The factor of bending's Hessian in W [s^2]. All of bending is damped.
@@ -48,10 +47,24 @@ void clear_rows(const BlockRange& range, TriangleMatrix& matrix) {
     std::ranges::fill(matrix.blocks.span().subspan(begin, end - begin), 0.0f);
 }
 
+/// Bending elements that keep the part of their stiffness that the membranes of their slivers keep: a step
+/// leaves what bends at much stiffer slivers unsolved, and free cloth would begin to fall crooked.
+Bending softened_bending(const ClothModel& model) {
+    Bending bending = bending_elements(model);
+    std::vector<float> left(bending.hinges.size(), 1.0f);
+    for (std::uint32_t s = 0; s < bending.of_sides.size(); ++s)
+        if (const std::uint32_t hinge = bending.of_sides[s]; hinge != Bending::no_hinge)
+            left[hinge] =
+                std::min(left[hinge], static_cast<float>(element_stiffness_left(rest_sides(model, s / 3))));
+    for (std::size_t k = 0; k < left.size(); ++k) bending.hinges[k].weight *= left[k];
+    for (HingePair& pair : bending.pairs) pair.weight *= std::sqrt(left[pair.first] * left[pair.second]);
+    return bending;
+}
+
 }  // namespace
 
 TriangleSystem::TriangleSystem(const ClothModel& model, const ClothSettings& settings)
-    : TriangleSystem(model, settings, settings.fabric.bending > 0 ? bending_elements(model) : Bending()) {}
+    : TriangleSystem(model, settings, settings.fabric.bending > 0 ? softened_bending(model) : Bending()) {}
 
 TriangleSystem::TriangleSystem(const ClothModel& model, const ClothSettings& settings, const Bending& bending)
     : TriangleSystem(
@@ -68,7 +81,7 @@ TriangleSystem::TriangleSystem(const ClothModel& model, const ClothSettings& set
       sources_(model, elements_, matrix_.stencil, rows) {
     const bool has_hinges = !bending.hinges.empty();
     if (has_hinges && settings.finite_elements.dihedral) store_dihedral_bending(bending, rows);
-    if (has_hinges && !settings.finite_elements.dihedral) store_quadratic_bending(bending);
+    if (has_hinges && !settings.finite_elements.dihedral) store_quadratic_bending(bending, rows);
     if (hinges_ || settings.finite_elements.consistent_mass) {
         additions_.impulses = AlignedBuffer<Vec4>(model.particle_count);
         additions_.diagonals =
@@ -101,7 +114,7 @@ void TriangleSystem::store_dihedral_bending(const Bending& bending, const Elemen
     });
 }
 
-void TriangleSystem::store_quadratic_bending(const Bending& bending) {
+void TriangleSystem::store_quadratic_bending(const Bending& bending, const ElementRows& triangles) {
     const ElementRows rows = ElementRows::of_quadratic_bending(*model_, bending);
     matrix_.scalar_stencil = Stencil(rows.offsets, rows.neighbours);
     matrix_.scalars = AlignedBuffer<float>(matrix_.scalar_stencil.neighbours.size());
@@ -110,6 +123,12 @@ void TriangleSystem::store_quadratic_bending(const Bending& bending) {
         matrix_.scalars[matrix_.scalar_stencil.entry(i, rows.half_edge(i, j))] -= k;
         quadratic_[i] -= k;  // rows of the Hessian sum to 0
     });
+    block_entries_ = SharedBuffer<std::uint32_t>(matrix_.scalars.size());
+    std::ranges::fill(block_entries_.span(), no_block);
+    for (std::uint32_t i = 0; i < model_->particle_count; ++i)
+        for (std::size_t e = triangles.offsets[i]; e < triangles.offsets[i + 1]; ++e)
+            block_entries_[matrix_.scalar_stencil.entries[rows.half_edge(i, triangles.neighbours[e])]] =
+                matrix_.stencil.entries[e];
 }
 
 void TriangleSystem::compute_elements(Parallel& parallel, const StepEquation& equation,
@@ -148,14 +167,13 @@ void TriangleSystem::make_additions(Parallel& parallel, const StepEquation& equa
 }
 
 void TriangleSystem::add_bending(const StepEquation& equation, std::uint32_t i, bool linearised) {
-    const float factor = bending_factor(equation);
     Vector3 force = Vector3::Zero();
     Matrix3 own_block = Matrix3::Zero();
     for (const HingeElements::Corner& corner : hinges_->corners(i)) {
         const Vector3 own = hinges_->gradient(corner.hinge, corner.corner);
         force += hinges_->moment(corner.hinge) * own;
         if (!linearised) continue;
-        const Vector3 scaled = factor * hinges_->stiffness(corner.hinge) * own;
+        const Vector3 scaled = hinge_factor_ * hinges_->stiffness(corner.hinge) * own;
         own_block += scaled * own.transpose();
         for (std::uint32_t other = 0; other < 3; ++other)
             block_at(matrix_, corner.entries[other]) -=
@@ -204,8 +222,9 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
                                std::span<const Vec4> velocities, LinearisedAbout about) {
     place(parallel, equation, velocities, about);
     compute_elements(parallel, equation, velocities, about == LinearisedAbout::iterate, true);
+    hinge_factor_ = bending_factor(equation);
     make_additions(parallel, equation, velocities, true, about);
-    if (quadratic_.size() > 0) matrix_.scale = bending_factor(equation) * equation.rigidity;
+    if (quadratic_.size() > 0) matrix_.scale = hinge_factor_ * equation.rigidity;
     matrix_.contacts = begin_contacts(equation);
     const TriangleState state = state_at(equation, velocities);
     parallel.ranges(model_->particle_count, [&](const BlockRange& range) {
@@ -254,30 +273,47 @@ void TriangleSystem::relax_rows(const BlockRange& range, const Vec4* b, const Ve
     relax_block(matrix_, range, b, x, relaxation, next);
 }
 
-// A block with the eigenvalue b along the edge n and on average a across it is nearest to a I + (b - a) n
-// n^T, if b >= a >= 0. Otherwise the positive part of its trace resists in all directions alike.
+// What a block resists along its edge is the spring's stiffness, and what it resists along the normals of its
+// triangles is tension, across the edge. The rest is the coupling of the triangles' edges. As a part of the
+// spring it would resist rotation in the plane and, shared out evenly across the edge, out of it.
 void TriangleSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                    std::span<Vec4> blocks) {
-    const Stencil& stencil = matrix_.stencil;
+    const Stencil& all = stencil();
     parallel.ranges(static_cast<std::uint32_t>(slots.size()), [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin * Stencil::lanes; k < range.end * Stencil::lanes; ++k) {
             const std::uint32_t slot = slots[k / Stencil::lanes], lane = k % Stencil::lanes;
-            const std::uint32_t entry = slot * Stencil::lanes + lane, i = stencil.node_of(slot, lane);
-            const auto block = block_at(std::as_const(matrix_), entry);
-            const Vector3 edge = xyz(positions_[stencil.neighbours[entry]]) - xyz(positions_[i]);
-            const Vector3 n = edge.stableNormalized();
-            const float trace = std::max(block.trace(), 0.0f);
-            const float along = std::clamp(n.dot(block * n), trace / 3, trace);
-            const float across = 0.5f * (trace - along);
-            const float beyond = std::max(along - across, 0.0f);  // rounding, where along is trace / 3
-            blocks[k] = to_vec4(std::sqrt(beyond) * n, across);
+            const std::uint32_t entry = slot * Stencil::lanes + lane, i = all.node_of(slot, lane);
+            const std::uint32_t own = block_entries_.empty() ? entry : block_entries_[entry];
+            Vector3 along = Vector3::Zero();
+            float across = 0;
+            if (own != no_block) {
+                const Vector3 edge = xyz(positions_[all.neighbours[entry]]) - xyz(positions_[i]);
+                const Vector3 n = edge.stableNormalized();
+                along = std::sqrt(std::max(n.dot(block_at(matrix_, own) * n), 0.0f)) * n;
+                for (const TriangleSources::Source& source : sources_.sources)
+                    across += std::max(elements_.results[source.sides[own]].w, 0.0f);
+            }
+            if (hinges_) across += bending_between(i, entry);
+            if (!block_entries_.empty()) across += matrix_.scale * matrix_.scalars[entry];
+            blocks[k] = to_vec4(along, across);
         }
     });
 }
 
+float TriangleSystem::bending_between(std::uint32_t i, std::uint32_t entry) const {
+    float sum = 0;
+    for (const HingeElements::Corner& corner : hinges_->corners(i))
+        for (std::uint32_t other = 0; other < 3; ++other)
+            if (corner.entries[other] == entry)
+                sum -= hinge_factor_ * hinges_->stiffness(corner.hinge) *
+                       hinges_->gradient(corner.hinge, corner.corner)
+                           .dot(hinges_->gradient(corner.hinge, (corner.corner + other + 1) % 4));
+    return sum;
+}
+
 std::size_t TriangleSystem::bytes() const noexcept {
     return elements_.bytes() + matrix_.bytes() + sources_.bytes() + additions_.bytes() + quadratic_.bytes() +
-           (hinges_ ? hinges_->bytes() : 0);
+           block_entries_.bytes() + (hinges_ ? hinges_->bytes() : 0);
 }
 
 }  // namespace weft

@@ -31,7 +31,9 @@ class TriangleSystem final : public ImplicitSystem {
                    LinearisedAbout about) override;
     void residual(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                   std::span<Vec4> residual) override;
-    [[nodiscard]] const Stencil& stencil() const noexcept override { return matrix_.stencil; }
+    [[nodiscard]] const Stencil& stencil() const noexcept override {
+        return block_entries_.empty() ? matrix_.stencil : matrix_.scalar_stencil;
+    }
     [[nodiscard]] const ContactRows* contacts() const noexcept override { return matrix_.contacts; }
     void spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                        std::span<Vec4> blocks) override;
@@ -50,7 +52,7 @@ class TriangleSystem final : public ImplicitSystem {
     TriangleSystem(const ClothModel& model, const ClothSettings& settings, const Bending& bending);
     TriangleSystem(const ClothModel& model, const ClothSettings& settings, const Bending& bending,
                    const ElementRows& rows);
-    void store_quadratic_bending(const Bending& bending);
+    void store_quadratic_bending(const Bending& bending, const ElementRows& triangles);
     void store_dihedral_bending(const Bending& bending, const ElementRows& rows);
 
     /// Sets the elements' positions to x_base, or to x_base + gamma v.
@@ -67,6 +69,8 @@ class TriangleSystem final : public ImplicitSystem {
     void make_additions(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities,
                         bool linearised, LinearisedAbout about);
     void add_bending(const StepEquation& equation, std::uint32_t i, bool linearised);
+    /// The factor of the identity that is nearest to dihedral bending's block of an entry of particle i.
+    [[nodiscard]] float bending_between(std::uint32_t i, std::uint32_t entry) const;
     void add_consistent_mass(const StepEquation& equation, std::span<const Vec4> velocities, std::uint32_t i,
                              bool linearised, LinearisedAbout about);
 
@@ -75,7 +79,10 @@ class TriangleSystem final : public ImplicitSystem {
     TriangleMatrix matrix_;
     TriangleSources sources_;
     RowAdditions additions_;
-    SharedBuffer<float> quadratic_;        // see TriangleState
+    SharedBuffer<float> quadratic_;  // see TriangleState
+    /// By entry of the scalar stencil, which has all neighbours: the block between them, or no_block.
+    SharedBuffer<std::uint32_t> block_entries_;
+    float hinge_factor_ = 0;               // of the last linearisation, see bending_factor()
     std::optional<HingeElements> hinges_;  // only with dihedral bending
     ScratchArray<Vec4> positions_;         // of the last linearise() or residual()
 };

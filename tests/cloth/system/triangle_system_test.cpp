@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "dense_algebra.h"
@@ -119,21 +120,70 @@ std::vector<Model> models() {
 }
 INSTANTIATE_TEST_SUITE_P(Models, TriangleSystems, testing::ValuesIn(models()));
 
-TEST(TriangleSystem, SpringBlocksArePositiveAndNearTheirBlocks) {
-    Cloth cloth = elements(sheet(8, 8), {false, false, 0.0f});
+/// Energies of a motion of flat cloth, less what its mass adds: of W, and of the springs that coarse levels
+/// are made from.
+struct TwoEnergies {
+    double of_w = 0, of_springs = 0;
+};
+TwoEnergies energies(const Cloth& cloth,
+                     const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& motion) {
     TriangleSystem system(cloth.model, cloth.settings);
     Parallel serial(1);
-    system.linearise(serial, equation_of(cloth, 0.02f), cloth.state.velocities.span(), LinearisedAbout::base);
-    float total = 0;
+    const std::size_t n = cloth.state.size();
+    AlignedBuffer<Vec4> still(n), x(n), product(n);
+    system.linearise(serial, equation_of(cloth, 0.02f), still.span(), LinearisedAbout::iterate);
+    for (std::size_t i = 0; i < n; ++i)
+        x[i] = to_vec4(motion(xyz(cloth.state.positions[i]).cast<double>()).cast<float>(), 0);
+    TwoEnergies sum{.of_w = system.multiply(serial, x.span(), product.span())};
+    for (std::size_t i = 0; i < n; ++i)
+        sum.of_w -= static_cast<double>(system.right_side()[i].w) * xyz(x[i]).cast<double>().squaredNorm();
     const AlignedBuffer<Vec4> blocks = system.all_spring_blocks(serial);
-    for (const Vec4& block : blocks.span()) {
-        EXPECT_GE(block.w, 0);
-        EXPECT_TRUE(xyz(block).allFinite());
-        total += block.w + xyz(block).squaredNorm();
+    for (std::uint32_t e = 0; e < blocks.size(); ++e) {
+        const std::uint32_t j = system.stencil().neighbours[e],
+                            i = system.stencil().node_of(e / Stencil::lanes, e % Stencil::lanes);
+        if (i >= n || j == i) continue;
+        const Eigen::Vector3d d = (xyz(x[j]) - xyz(x[i])).cast<double>();
+        const double along = xyz(blocks[e]).cast<double>().dot(d);
+        sum.of_springs += 0.5 * (along * along + static_cast<double>(blocks[e].w) * d.squaredNorm());
     }
-    EXPECT_TRUE(std::isfinite(total));
-    EXPECT_GT(total, 0);
+    return sum;
 }
+
+class SidesAsSprings : public testing::TestWithParam<bool> {};
+
+TEST_P(SidesAsSprings, ResistWhatTheElementsDoAndNothingElse) {
+    const Cloth cloth = elements(strip(9, 8, 0.05f, true), {GetParam(), false, 0.0f});
+    using V = Eigen::Vector3d;
+    const auto ratio = [&](const auto& motion) {
+        const TwoEnergies found = energies(cloth, motion);
+        return found.of_springs / found.of_w;
+    };
+    const double stretch = energies(cloth, [](const V& p) { return V(p.x(), 0, 0); }).of_w;
+    // Sides that are stretched together are coupled: their springs double at most.
+    for (const V& strain : {V(1, 0, 0), V(0, 1, 0), V(1, 1, 0), V(0, 0, 1), V(1, -1, 0)}) {
+        const double along_or_sheared = ratio([&](const V& p) {
+            return V(strain[0] * p.x() + strain[2] * p.z(), 0, strain[1] * p.z() + strain[2] * p.x());
+        });
+        EXPECT_GT(along_or_sheared, 0.5) << strain.transpose();
+        EXPECT_LT(along_or_sheared, 2.2) << strain.transpose();
+    }
+    EXPECT_NEAR(ratio([](const V& p) { return V(0, std::cos(9 * p.x()) * std::sin(7 * p.z()), 0); }), 1,
+                1e-3);
+    for (const V& turn : {V(0, 1, 0), V(1, 0, 0), V(0, 0, 1)})
+        EXPECT_LT(energies(cloth, [&](const V& p) { return turn.cross(p); }).of_springs, 1e-5 * stretch);
+}
+
+TEST_P(SidesAsSprings, HoldStretchedClothAgainstTurningAsItsTensionDoes) {
+    Cloth cloth = elements(strip(9, 8, 0.05f, true), {GetParam(), false, 0.0f});
+    for (Vec4& p : cloth.state.positions.span()) {
+        p.x *= 1.1f;
+        p.z *= 1.1f;
+    }
+    const TwoEnergies lateral = energies(
+        cloth, [](const Eigen::Vector3d& p) { return Eigen::Vector3d(0, std::sin(9 * p.x() + p.z()), 0); });
+    EXPECT_NEAR(lateral.of_springs / lateral.of_w, 1, 0.05);
+}
+INSTANTIATE_TEST_SUITE_P(Dihedral, SidesAsSprings, testing::Bool());
 
 TEST(HingeElements, SharedOutHessianBoundsTheEnergysFromAbove) {
     // Of pairs of hinges 2 phi_e phi_f <= phi_e^2 + phi_f^2: the difference is never negative.
