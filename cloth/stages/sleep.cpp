@@ -45,6 +45,14 @@ float farthest_way(const ClothState& state) {
     return std::sqrt(squared);
 }
 
+/// Speed of the mean of all particles [m/s]: of cloth that slides, swings or drifts, not of cloth that
+/// trembles.
+float mean_speed(const ClothState& state) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Vec4& v : std::as_const(state.velocities).span()) sum += xyz(v).cast<double>();
+    return static_cast<float>(sum.norm() / static_cast<double>(state.size()));
+}
+
 /// Whether the collider may meet a cloth during its motion; its layers are those at the end.
 bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
     const Collider& collider = motion.end;
@@ -103,12 +111,12 @@ void wake_disturbed(Simulation& world, bool is_gusty) {
         if (cloth->state.rest && (is_gusty || cloth->is_disturbed)) cloth->wake();
 }
 
-/// Marks disturbed cloths among those that may sleep or take long steps: the host moves them in this step, or
+/// Marks disturbed cloths among those that are still or take long steps: the host moves them in this step, or
 /// they are near a body, or near a collider that changes in this step.
 void find_disturbed(Simulation& world, float dt) {
     const auto for_all = [&](const auto& disturbed) {
         for (Cloth* cloth : world.present)
-            if (cloth->state.rest || cloth->state.detail)
+            if (cloth->still_for() > 0 || cloth->state.detail)
                 cloth->is_disturbed = cloth->is_disturbed || disturbed(*cloth);
     };
     for (Cloth* cloth : world.present) cloth->is_disturbed = false;
@@ -161,17 +169,17 @@ void sleep_and_wake(Simulation& world, float dt) {
 
 void choose_present(Simulation& world, float dt) {
     world.present.clear();
-    bool any_can_sleep = false;
+    bool any_is_still = false;
     world.cloths.for_each([&](ClothId id, std::unique_ptr<Cloth>& cloth) {
         cloth->id = id;
         if (!cloth->settings.enabled) return;
         world.present.push_back(cloth.get());
-        any_can_sleep |= cloth->state.rest.has_value();
+        any_is_still |= cloth->still_for() > 0;
     });
     const bool is_gusty = world.air_is_on() && world.settings.wind.gust > 0 &&
                           !to_vector(world.settings.wind.velocity).isZero(0);
-    if ((any_can_sleep && !is_gusty) || world.settings.budget > 0) find_disturbed(world, dt);
-    if (!any_can_sleep) return;
+    if ((any_is_still && !is_gusty) || world.settings.budget > 0) find_disturbed(world, dt);
+    if (!any_is_still) return;
     wake_disturbed(world, is_gusty);
     sleep_and_wake(world, dt);
     const auto sleeping = std::erase_if(world.present, [](const Cloth* cloth) { return cloth->is_asleep(); });
@@ -182,8 +190,10 @@ void count_still_time(Cloth& cloth, float dt) {
     if (!cloth.state.rest) return;
     const float limit = cloth.settings.sleep_speed;
     float& still_for = cloth.state.rest->still_for;
-    const bool is_still =
-        !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < limit * limit;
+    constexpr float as_a_whole = 0.25f;  // a seeming rest of cloth that begins to slide is shorter
+    const bool is_still = !cloth.restored && !cloth.meets_bodies &&
+                          cloth.extent.peak_speed_squared < limit * limit &&
+                          mean_speed(cloth.state) < as_a_whole * limit;
     still_for = is_still ? still_for + dt : 0.0f;
     // Particles that are pushed out of a collider move without a velocity.
     if (still_for >= time_to_sleep && cloth.collider_contacts > 0 && farthest_way(cloth.state) > limit * dt)

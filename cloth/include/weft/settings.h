@@ -113,11 +113,13 @@ struct ClothSettings {
     /// Whether the cloth is simulated. False: no step moves it, nothing meets it, and it costs nothing; it
     /// may be pinned and set meanwhile. See World::set_enabled.
     bool enabled = true;
-    /// Cloth falls asleep if no particle has been faster than this for half a second [m/s], 0 to 1000. It
-    /// stands still and costs next to nothing until a pin moves, a collider near it or under it moves, leaves
-    /// or changes, awake cloth comes near, the wind, gravity or its settings change, or World::wake. Cloths
-    /// that may touch sleep together. In gusts no cloth sleeps. 0.01 is hardly visible; 0: it never sleeps.
-    float sleep_speed = 0;
+    /// Cloth falls asleep if for half a second no particle has been faster than this [m/s], 0 to 1000, and
+    /// their mean not faster than a quarter of it. It stands still, presses on nothing and costs next to
+    /// nothing until a pin moves, a collider near it or under it moves, leaves or changes, awake cloth comes
+    /// near, the wind, gravity or its settings change, or World::wake. Cloths that may touch sleep together.
+    /// In gusts no cloth sleeps. 0: it never sleeps; so set it where cloth is to drift slowly, without
+    /// weight, or where its contacts are read at rest.
+    float sleep_speed = 0.02f;
     FrameInertia frame_inertia{};
     /// Weight of an error of its motion, 0 to 1e6, where WorldSettings::budget is not enough for all: such as
     /// 1 over the distance from the viewer [m]. 0: out of sight; the cloth gets the least time. See

@@ -45,6 +45,7 @@ Laid lay(Collider shape, const Shape* of = nullptr) {
     ClothSettings settings;
     settings.thickness = 0.005f;
     settings.air_damping = 1;
+    settings.sleep_speed = 0;  // what it lies on is counted
     std::optional<HeldShape> held;
     if (of != nullptr) {
         held = HeldShape::make(*of).value();

@@ -21,6 +21,7 @@ class SlopingSheet {
         settings.friction = 1;
         settings.air_damping = 0;
         settings.substeps = substeps;
+        settings.sleep_speed = 0;  // it begins to slide slowly
         const Mesh mesh = make_sheet({.rows = 24,
                                       .columns = 24,
                                       .origin = to_vec3(Vector3(0.00501f * normal)),

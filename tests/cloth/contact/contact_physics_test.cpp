@@ -69,6 +69,7 @@ double strip_sinks(double part, const ClothSettings& given) {
 
 TEST(ContactPhysics, ARopeOverACylinderHoldsAndSlipsByEulersLaw) {
     ClothSettings settings;
+    settings.sleep_speed = 0;  // beyond the angle it slips slowly at first
     settings.air_damping = 2;  // at rest before the friction falls: ends that swing pull more than they weigh
     EXPECT_NEAR(strip_sinks(1.02, settings), 0, 0.001);
     EXPECT_GT(strip_sinks(0.98, settings), 0.004);

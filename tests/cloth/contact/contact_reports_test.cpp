@@ -33,6 +33,7 @@ ClothSettings undamped(const Method& method = {}, int substeps = 1) {
     settings.method = method;
     settings.substeps = substeps;
     settings.air_damping = 0;
+    settings.sleep_speed = 0;  // cloth that sleeps reports nothing
     return settings;
 }
 

@@ -69,13 +69,15 @@ struct Stack {
 
 TEST(ClothOnCloth, StaysOnItInItsOrderAndCrossesNothing) {
     Stack stack(3);
+    bool any_meet = false;
     for (int k = 0; k < 90; ++k) {
         stack.world.step(h);
         ASSERT_EQ(crossings(stack.world, stack.cloths), 0) << "in step " << k;
+        any_meet |= stack.world.report().self_contacts > 0;
     }
+    EXPECT_TRUE(any_meet);
     EXPECT_GT(mean_height(stack.world, stack.cloths[1]), mean_height(stack.world, stack.cloths[0]));
     EXPECT_GT(mean_height(stack.world, stack.cloths[2]), mean_height(stack.world, stack.cloths[1]));
-    EXPECT_GT(stack.world.report().self_contacts, 0u);
 }
 
 TEST(ClothOnCloth, FallsThroughWhereContactIsOffOrMasked) {

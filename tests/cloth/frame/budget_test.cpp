@@ -41,6 +41,7 @@ struct Hall {
     explicit Hall(float budget, int count = 20, ClothSettings of_cloth = {})
         : simulation({.wind = {.velocity = {0, 0, 2}}, .threads = 1, .budget = budget}) {
         simulation.cost_of = known_cost;
+        of_cloth.sleep_speed = 0;
         for (int i = 0; i < count; ++i) {
             auto cloth = std::make_unique<Cloth>(cook(sheet(static_cast<float>(i))).value(), of_cloth);
             cloth->pin(std::vector<std::uint32_t>{0, side - 1});
