@@ -96,6 +96,7 @@ void CoarsePairs::lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t
     clear();
     const bool any = fine_rows > 0;
     scratch.take_few(keys_, fine_rows);
+    scratch.take_few(by_high_, fine_rows);
     scratch.take_few(order_, fine_rows);
     scratch.take_few(active_, fine_rows);
     scratch.take_few(rows_, std::min(fine_rows, rows_per_node * nodes + least_rows));
@@ -103,28 +104,32 @@ void CoarsePairs::lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t
     scratch.take_few(merged_, any ? std::size_t{nodes} + 1 : 0);
 }
 
-// Puts rows between the same two nodes next to one another: a counting sort by the lower node, then a sort by
-// the higher.
+// Puts rows between the same two nodes next to one another, by two counting sorts: by the higher node, then
+// by the lower, which keeps the order of rows with the same.
 void CoarsePairs::sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows) {
     const std::span<std::uint32_t> starts = starts_.span(), merged = merged_.span();
+    const std::span<const Key> keys = keys_.span().first(fine_rows);
     std::ranges::fill(starts, 0u);
-    for (const Key& key : keys_.span().first(fine_rows))
-        if (key.low != no_slot) ++starts[key.low + 1];
+    std::ranges::fill(merged, 0u);
+    for (const Key& key : keys) {
+        if (key.low == no_slot) continue;
+        ++starts[key.low + 1];
+        ++merged[key.high + 1];
+    }
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    std::ranges::copy(starts, merged.begin());
+    std::partial_sum(merged.begin(), merged.end(), merged.begin());
     for (std::uint32_t k = 0; k < fine_rows; ++k)
-        if (keys_[k].low != no_slot) order_[merged_[keys_[k].low]++] = {.high = keys_[k].high, .row = k};
+        if (keys[k].low != no_slot) by_high_[merged[keys[k].high]++] = k;
+    std::ranges::copy(starts, merged.begin());
+    for (const std::uint32_t k : by_high_.span().first(starts.back())) order_[merged[keys[k].low]++] = k;
     const auto nodes = static_cast<std::uint32_t>(starts_.size() - 1);
     parallel.ranges(
         nodes,
         [&](const BlockRange& range) {
             for (std::uint32_t low = range.begin; low < range.end; ++low) {
-                const std::span<Placed> of_low(order_.data() + starts_[low],
-                                               order_.data() + starts_[low + 1]);
-                std::ranges::sort(of_low);
-                std::uint32_t different = of_low.empty() ? 0 : 1;
-                for (std::size_t k = 1; k < of_low.size(); ++k)
-                    different += of_low[k].high != of_low[k - 1].high;
+                std::uint32_t different = starts_[low] < starts_[low + 1] ? 1 : 0;
+                for (std::uint32_t k = starts_[low] + 1; k < starts_[low + 1]; ++k)
+                    different += keys_[order_[k]].high != keys_[order_[k - 1]].high;
                 merged_[low] = different;
             }
         },
@@ -144,13 +149,13 @@ void CoarsePairs::merge(Parallel& parallel, std::uint32_t fine_rows, const AddRo
             for (std::uint32_t low = range.begin; low < range.end; ++low) {
                 std::uint32_t next = merged_[low];
                 for (std::uint32_t k = starts_[low], end = starts_[low + 1]; k < end && next < room;) {
-                    const std::uint32_t high = order_[k].high;
+                    const std::uint32_t high = keys_[order_[k]].high;
                     Sum sum;
                     Symmetric3 stiffness;
                     std::uint32_t looked = 0;
-                    for (; k < end && order_[k].high == high; ++k) {
+                    for (; k < end && keys_[order_[k]].high == high; ++k) {
                         const bool look = looked < looked_at;
-                        stiffness.add(add_row(order_[k].row, look ? &sum : nullptr));
+                        stiffness.add(add_row(order_[k], look ? &sum : nullptr));
                         looked += look ? 1 : 0;
                     }
                     rows_[next++] = sum.row(1 / static_cast<float>(looked), stiffness);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <span>
 
@@ -122,11 +121,6 @@ class CoarsePairs {
         std::uint32_t low, high;
         float sign;  ///< 1: c is positive at the lower one, else -1
     };
-    /// A fine row's place among those with the same low node.
-    struct Placed {
-        std::uint32_t high, row;
-        auto operator<=>(const Placed&) const = default;
-    };
     /// A row being gathered.
     class Sum;
 
@@ -138,10 +132,10 @@ class CoarsePairs {
     template <class AddRow>
     void merge(Parallel& parallel, std::uint32_t fine_rows, const AddRow& add_row);
 
-    ScratchArray<Key> keys_;              // of the finer level's rows
-    ScratchArray<Placed> order_;          // fine rows, by key
-    ScratchArray<std::uint32_t> starts_;  // by low node: its first place in order_
-    ScratchArray<std::uint32_t> merged_;  // by low node: its first coarse row
+    ScratchArray<Key> keys_;                       // of the finer level's rows
+    ScratchArray<std::uint32_t> by_high_, order_;  // fine rows, by high node; by key
+    ScratchArray<std::uint32_t> starts_;           // by low node: its first place in order_
+    ScratchArray<std::uint32_t> merged_;           // by low node: its first coarse row
     ScratchArray<PairRows::ActivePair> active_;
     ScratchArray<Row> rows_;
     std::uint32_t listed_ = 0, size_ = 0;  // active pairs, coarse rows
