@@ -127,8 +127,8 @@ void TriangleSystem::store_quadratic_bending(const Bending& bending, const Eleme
     std::ranges::fill(block_entries_.span(), no_block);
     for (std::uint32_t i = 0; i < model_->particle_count; ++i)
         for (std::size_t e = triangles.offsets[i]; e < triangles.offsets[i + 1]; ++e)
-            block_entries_[matrix_.scalar_stencil.entries[rows.half_edge(i, triangles.neighbours[e])]] =
-                matrix_.stencil.entries[e];
+            block_entries_[matrix_.scalar_stencil.entry(i, rows.half_edge(i, triangles.neighbours[e]))] =
+                matrix_.stencil.entry(i, e);
 }
 
 void TriangleSystem::compute_elements(Parallel& parallel, const StepEquation& equation,
