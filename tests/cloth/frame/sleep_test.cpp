@@ -519,5 +519,30 @@ TEST(Enabled, WhatLayAsleepOnItWakes) {
     EXPECT_FALSE(world.is_asleep(upper).value());
 }
 
+TEST(SleepByDefault, ADroppedSheetAndAHungOneSleepOneThatDriftsDoesNot) {
+    for (const SelfCollisionMethod method : {SelfCollisionMethod::off, SelfCollisionMethod::contact}) {
+        World world = make_world();
+        EXPECT_TRUE(world.add_collider({.shape = Sphere{{0, 0, 0}, 0.1f}, .friction = 0.5f}));
+        EXPECT_TRUE(world.add_collider({.shape = Plane{{0, 1, 0}, -0.1f}, .friction = 0.5f}));
+        const ClothId dropped = add_sheet(world, 0.2f, {.self_collision = {.method = method}});
+        const ClothId hung = add_sheet(world, 1, {.self_collision = {.method = method}}, 2);
+        EXPECT_TRUE(world.pin(hung, corners));
+        EXPECT_TRUE(sleeps_within(world, dropped, 900));
+        EXPECT_TRUE(sleeps_within(world, hung, 900));
+    }
+    // At a twentieth of its size a second, below what a particle may have: still motion that one sees.
+    World space = World::create(vacuum()).value();
+    const ClothId drifts = add_sheet(space, 0, {});
+    const ClothView view = space.cloth(drifts).value();
+    std::vector<Vec3> places, before;
+    for (const std::uint32_t i : view.vertex_to_particle) {
+        const Vec4& p = view.positions[i];
+        places.push_back({p.x, p.y, p.z});
+        before.push_back({p.x - 0.015f * h, p.y, p.z});
+    }
+    EXPECT_TRUE(space.resume_cloth(drifts, places, before, std::vector<Vec3>(places.size(), {0.015f, 0, 0})));
+    EXPECT_FALSE(sleeps_within(space, drifts, 120));
+}
+
 }  // namespace
 }  // namespace weft::test::sleeping
