@@ -73,7 +73,7 @@ class SpringsOfGrid {
 
     HWY_INLINE void linearise(const Linearisation& equations, const BlockRange& range, SpringMatrix& matrix,
                               Vec4* right_side) {
-        // Of the halo, which is another tile's rows.
+        // The halo's blocks go here, since its rows are another tile's to store.
         alignas(64) std::uint16_t not_stored[std::size_t{4} * Diagonals::most * Stencil::lanes];
         for (std::uint32_t i = loop_.first(); i < range.end; i += part_lanes, loop_.go_on()) {
             read_ahead();

@@ -39,7 +39,7 @@ class SpringTable {
     [[nodiscard]] const float* stiffness() const noexcept { return stiffness_.data(); }
     /// q [N/m], see spring_at(); null: the springs do not stiffen.
     [[nodiscard]] const float* stiffening() const noexcept { return stiffening_.data(); }
-    /// By entry: the bending of rigidity 1 between its ends [1/m^2].
+    /// Each entry's bending stiffness between its two ends, for a rigidity of 1 [1/m^2].
     [[nodiscard]] const float* bending() const noexcept { return bending_.data(); }
 
     [[nodiscard]] float stiffest() const noexcept { return stiffest_; }  ///< at any stretch [N/m]

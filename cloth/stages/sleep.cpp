@@ -45,8 +45,8 @@ float farthest_way(const ClothState& state) {
     return std::sqrt(squared);
 }
 
-/// Speed of the mean of all particles [m/s]: of cloth that slides, swings or drifts, not of cloth that
-/// trembles.
+/// Returns the speed of the mean of all velocities [m/s], which is great where cloth slides, swings or
+/// drifts, and small where it trembles.
 float mean_speed(const ClothState& state) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Vec4& v : std::as_const(state.velocities).span()) sum += xyz(v).cast<double>();
@@ -174,7 +174,7 @@ void choose_present(Simulation& world, float dt) {
         cloth->id = id;
         if (!cloth->settings.enabled) return;
         world.present.push_back(cloth.get());
-        any_is_still |= cloth->still_for() > 0;
+        any_is_still |= cloth->still_for() > 0 || cloth->is_asleep();
     });
     const bool is_gusty = world.air_is_on() && world.settings.wind.gust > 0 &&
                           !to_vector(world.settings.wind.velocity).isZero(0);
@@ -190,7 +190,8 @@ void count_still_time(Cloth& cloth, float dt) {
     if (!cloth.state.rest) return;
     const float limit = cloth.settings.sleep_speed;
     float& still_for = cloth.state.rest->still_for;
-    constexpr float as_a_whole = 0.25f;  // a seeming rest of cloth that begins to slide is shorter
+    // The mean's part of the limit is small, so that cloth that begins to slide stays awake.
+    constexpr float as_a_whole = 0.25f;
     const bool is_still = !cloth.restored && !cloth.meets_bodies &&
                           cloth.extent.peak_speed_squared < limit * limit &&
                           mean_speed(cloth.state) < as_a_whole * limit;

@@ -173,7 +173,7 @@ void TriangleSystem::add_bending(const StepEquation& equation, std::uint32_t i, 
         const Vector3 own = hinges_->gradient(corner.hinge, corner.corner);
         force += hinges_->moment(corner.hinge) * own;
         if (!linearised) continue;
-        const Vector3 scaled = hinge_factor_ * hinges_->stiffness(corner.hinge) * own;
+        const Vector3 scaled = bending_factor_ * hinges_->stiffness(corner.hinge) * own;
         own_block += scaled * own.transpose();
         for (std::uint32_t other = 0; other < 3; ++other)
             block_at(matrix_, corner.entries[other]) -=
@@ -222,9 +222,9 @@ void TriangleSystem::linearise(Parallel& parallel, const StepEquation& equation,
                                std::span<const Vec4> velocities, LinearisedAbout about) {
     place(parallel, equation, velocities, about);
     compute_elements(parallel, equation, velocities, about == LinearisedAbout::iterate, true);
-    hinge_factor_ = bending_factor(equation);
+    bending_factor_ = bending_factor(equation);
     make_additions(parallel, equation, velocities, true, about);
-    if (quadratic_.size() > 0) matrix_.scale = hinge_factor_ * equation.rigidity;
+    if (quadratic_.size() > 0) matrix_.scale = bending_factor_ * equation.rigidity;
     matrix_.contacts = begin_contacts(equation);
     const TriangleState state = state_at(equation, velocities);
     parallel.ranges(model_->particle_count, [&](const BlockRange& range) {
@@ -273,9 +273,9 @@ void TriangleSystem::relax_rows(const BlockRange& range, const Vec4* b, const Ve
     relax_block(matrix_, range, b, x, relaxation, next);
 }
 
-// What a block resists along its edge is the spring's stiffness, and what it resists along the normals of its
-// triangles is tension, across the edge. The rest is the coupling of the triangles' edges. As a part of the
-// spring it would resist rotation in the plane and, shared out evenly across the edge, out of it.
+// A spring takes from its block the stiffness along the edge, and across the edge the tension, which is what
+// the block has along its triangles' normals. It leaves out how the triangles couple their edges: in a spring
+// that part would resist rotation in the plane and, shared out evenly across the edge, out of the plane.
 void TriangleSystem::spring_blocks(Parallel& parallel, std::span<const std::uint32_t> slots,
                                    std::span<Vec4> blocks) {
     const Stencil& all = stencil();
@@ -305,7 +305,7 @@ float TriangleSystem::bending_between(std::uint32_t i, std::uint32_t entry) cons
     for (const HingeElements::Corner& corner : hinges_->corners(i))
         for (std::uint32_t other = 0; other < 3; ++other)
             if (corner.entries[other] == entry)
-                sum -= hinge_factor_ * hinges_->stiffness(corner.hinge) *
+                sum -= bending_factor_ * hinges_->stiffness(corner.hinge) *
                        hinges_->gradient(corner.hinge, corner.corner)
                            .dot(hinges_->gradient(corner.hinge, (corner.corner + other + 1) % 4));
     return sum;

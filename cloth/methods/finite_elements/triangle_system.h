@@ -82,7 +82,7 @@ class TriangleSystem final : public ImplicitSystem {
     SharedBuffer<float> quadratic_;  // see TriangleState
     /// By entry of the scalar stencil, which has all neighbours: the block between them, or no_block.
     SharedBuffer<std::uint32_t> block_entries_;
-    float hinge_factor_ = 0;               // of the last linearisation, see bending_factor()
+    float bending_factor_ = 0;             // of the last linearisation, see bending_factor()
     std::optional<HingeElements> hinges_;  // only with dihedral bending
     ScratchArray<Vec4> positions_;         // of the last linearise() or residual()
 };

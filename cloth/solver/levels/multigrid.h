@@ -199,7 +199,7 @@ class Multigrid {
     SharedBuffer<std::uint32_t>
         slots_;                   // the systems' slots with links at their first ends, each's ascending
     ScratchArray<Vec4> springs_;  // blocks of these, see ImplicitSystem::spring_blocks; last stitches'
-    // Of the first level by place, see CoarseLinks; of links between free particles.
+    // The constant sums of the first level, by place, over links between free particles: see CoarseLinks.
     AlignedBuffer<double> constants_;
     SharedBuffer<float> shifts_;
     HeldSprings held_;                    // ascending by pinned particle, then by neighbour

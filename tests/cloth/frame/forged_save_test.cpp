@@ -214,6 +214,7 @@ TEST(ForgedSave, RestAndTanglesThatNoStepLeavesAreRefused) {
         EXPECT_FALSE(calm.restore(changed_in(rests, rest + offsetof(Rest, still_for), still_for)));
     EXPECT_FALSE(calm.restore(changed_in(rests, rest + offsetof(Rest, asleep), 2u)));
     EXPECT_TRUE(calm.restore(changed_in(rests, rest + offsetof(Rest, asleep), 1u)));
+    EXPECT_EQ(calm.step(frame_time).sleeping_cloths, 0u);  // it has not been still
 
     World world = World::create({.threads = 1}).value();
     const Bytes good = saved_with(world, {.self_collision = {.method = SelfCollisionMethod::contact}});
