@@ -7,6 +7,7 @@
 
 #include "collision/colliders/block_kernels-inl.h"
 #include "collision/shapes/body_lanes-inl.h"
+#include "collision/shapes/held_lanes-inl.h"
 #include "collision/shapes/round_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,22 +24,6 @@ BlockPaths paths(std::span<const Vec4> starts, std::span<const Vec4> positions) 
     return paths.all();
 }
 
-// Each shape's kernel is compiled as a function of its own.
-
-void collide_capsule(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block) {
-    collide_block(RoundLanes(capsule, settings.thickness), settings, block);
-}
-void collide_tapered(const MovingTaperedCapsule& capsule, const ContactSettings& settings,
-                     CollidingBlock& block) {
-    collide_block(RoundLanes(capsule, settings.thickness), settings, block);
-}
-void collide_plane(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block) {
-    collide_block(PlaneLanes(plane, settings.thickness), settings, block);
-}
-void collide_box(const MovingBox& box, const ContactSettings& settings, CollidingBlock& block) {
-    collide_block(BodyLanes(box.space, OwnBox{box}, settings.thickness), settings, block);
-}
-
 BlockPaths place_block(std::span<const Vec4> starts, std::span<const Vec4> positions, float gamma,
                        std::span<const Vec4> velocities, BlockLanes& points) {
     PathsLanes paths = no_paths();
@@ -52,18 +37,88 @@ BlockPaths place_block(std::span<const Vec4> starts, std::span<const Vec4> posit
     return paths.all();
 }
 
-bool nearest_of_capsule(const MovingCapsule& capsule, const NearestSought& sought, NearSurfaces& near) {
-    return find_nearest_in_block(RoundLanes(capsule, sought.all()), sought, near);
+/// Bounding box, in a shape's local frame, of points and of their paths of length `way`.
+template <class PointAt>
+Eigen::AlignedBox3f box_of(const MovingSpace& space, std::uint32_t size, float way, const PointAt& point_at) {
+    LaneBox box;
+    for (std::uint32_t i = 0; i < size; i += part_lanes) {
+        const Lanes3 q = turned(space.to_own, point_at(i) - set3(space.origin));
+        const Lanes far = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
+        box.add(q, hn::And(hn::Lt(far, set(1e30f)), hn::FirstN(Tag(), size - i)));
+    }
+    const Eigen::AlignedBox3f found = box.box();
+    const Vector3 margin = Vector3::Constant(way + 1e-4f);
+    return found.isEmpty() ? found : Eigen::AlignedBox3f(found.min() - margin, found.max() + margin);
 }
-bool nearest_of_tapered(const MovingTaperedCapsule& capsule, const NearestSought& sought,
-                        NearSurfaces& near) {
-    return find_nearest_in_block(RoundLanes(capsule, sought.all()), sought, near);
+
+/// Calls use(own) with the shape, of which only the part within sight of the block is searched.
+template <class PointAt, class Use>
+auto with_near_part(const MovingHeld& held, const Sight& sight, std::uint32_t size, float way,
+                    const PointAt& point_at, const Use& use) {
+    const auto* const tree = std::get_if<TriangleTree>(&held.shape->data());
+    if (tree == nullptr) return use(OwnHeld{*held.shape, sight, held.rate});
+    const NearLeaves leaves(*tree, box_of(held.space, size, way, point_at), sight.far);
+    return use(OwnHeld{*held.shape, sight, held.rate, &leaves});
 }
-bool nearest_of_plane(const MovingPlane& plane, const NearestSought& sought, NearSurfaces& near) {
-    return find_nearest_in_block(PlaneLanes(plane, sought.all()), sought, near);
+
+/// Calls use(lanes) with a shape that the block's `size` particles meet within `thickness`, on ways that are
+/// at most `way` long relative to it [m].
+template <class PointAt, class Use>
+auto with_lanes(const MovingShape& shape, float thickness, const Sight& sight, std::uint32_t size, float way,
+                const PointAt& point_at, const Use& use) {
+    const auto visit = [&]<class Kind>(const Kind& kind) {
+        if constexpr (std::is_same_v<Kind, MovingPlane>)
+            return use(PlaneLanes(kind, thickness));
+        else if constexpr (std::is_same_v<Kind, MovingBox>)
+            return use(BodyLanes(kind.space, OwnBox{kind}, thickness));
+        else if constexpr (std::is_same_v<Kind, MovingHeld>)
+            return with_near_part(kind, sight, size, way, point_at, [&](const OwnHeld& own) {
+                return use(BodyLanes(kind.space, own, thickness));
+            });
+        else
+            return use(RoundLanes(kind, thickness));
+    };
+    return std::visit(visit, shape);
 }
-bool nearest_of_box(const MovingBox& box, const NearestSought& sought, NearSurfaces& near) {
-    return find_nearest_in_block(BodyLanes(box.space, OwnBox{box}, sought.all()), sought, near);
+
+void collide_shape(const MovingShape& shape, const ContactSettings& settings, CollidingBlock& block) {
+    // A margin [m], so that a particle at rest at the thickness starts no search from deep inside.
+    constexpr float beyond = 4e-3f;
+    const float way = settings.meeting.way;
+    const auto size = static_cast<std::uint32_t>(block.positions.size());
+    const auto point_at = [&](std::uint32_t i) {
+        if (i + part_lanes <= size) return xyz(load_rows(&block.positions[i]));
+        Vec4 last[part_lanes] = {};
+        std::copy(block.positions.begin() + i, block.positions.end(), last);
+        return xyz(load_rows(last));
+    };
+    with_lanes(shape, settings.thickness, {settings.thickness + way + beyond}, size, way, point_at,
+               [&](const auto& lanes) { collide_block(lanes, settings, block); });
+}
+
+bool nearest_of_shape(const MovingShape& shape, const NearestSought& sought, NearSurfaces& near) {
+    // The equation leaves particles that are deep inside to collide().
+    const float way = sought.settings.meeting.way;
+    const auto point_at = [&](std::uint32_t i) { return xyz(load_lanes(near.points, i)); };
+    return with_lanes(shape, sought.all(), {sought.all() + way, sought.reach == 0}, sought.size, way,
+                      point_at,
+                      [&](const auto& lanes) { return find_nearest_in_block(lanes, sought, near); });
+}
+
+void find_surfaces_of(const HeldShape& shape, std::span<const Vec3> points, float sight,
+                      std::span<Vec4> surfaces) {
+    const OwnHeld own{shape, {sight}, 0};
+    for (std::size_t first = 0; first < points.size(); first += part_lanes) {
+        const std::size_t count = std::min<std::size_t>(part_lanes, points.size() - first);
+        LaneByLane of_points;
+        for (std::size_t k = 0; k < part_lanes; ++k)
+            of_points.set_lane(static_cast<std::uint32_t>(k),
+                               to_vector(points[first + std::min(k, count - 1)]), 0);
+        const Lanes3 q = xyz(of_points.lanes());
+        const OwnSurface found = own.nearest(q, hn::Eq(set(0), set(0)));
+        const LaneByLane out(found.normal, found.distance);
+        for (std::uint32_t k = 0; k < count; ++k) surfaces[first + k] = to_vec4(out.vector(k), out.w[k]);
+    }
 }
 
 }  // namespace
@@ -74,49 +129,27 @@ HWY_AFTER_NAMESPACE();
 namespace weft {
 
 HWY_EXPORT(paths);
-HWY_EXPORT(collide_capsule);
-HWY_EXPORT(collide_tapered);
-HWY_EXPORT(collide_plane);
-HWY_EXPORT(collide_box);
 HWY_EXPORT(place_block);
-HWY_EXPORT(nearest_of_capsule);
-HWY_EXPORT(nearest_of_tapered);
-HWY_EXPORT(nearest_of_plane);
-HWY_EXPORT(nearest_of_box);
+HWY_EXPORT(collide_shape);
+HWY_EXPORT(nearest_of_shape);
+HWY_EXPORT(find_surfaces_of);
 
 BlockPaths paths_of(std::span<const Vec4> starts, std::span<const Vec4> positions) {
     return HWY_DYNAMIC_DISPATCH(paths)(starts, positions);
 }
-
-void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block) {
-    HWY_DYNAMIC_DISPATCH(collide_capsule)(capsule, settings, block);
-}
-void collide(const MovingTaperedCapsule& capsule, const ContactSettings& settings, CollidingBlock& block) {
-    HWY_DYNAMIC_DISPATCH(collide_tapered)(capsule, settings, block);
-}
-void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block) {
-    HWY_DYNAMIC_DISPATCH(collide_plane)(plane, settings, block);
-}
-void collide(const MovingBox& box, const ContactSettings& settings, CollidingBlock& block) {
-    HWY_DYNAMIC_DISPATCH(collide_box)(box, settings, block);
-}
-
 BlockPaths place(std::span<const Vec4> starts, std::span<const Vec4> positions, float gamma,
                  std::span<const Vec4> velocities, BlockLanes& points) {
     return HWY_DYNAMIC_DISPATCH(place_block)(starts, positions, gamma, velocities, points);
 }
-
-bool find_nearest(const MovingCapsule& capsule, const NearestSought& sought, NearSurfaces& near) {
-    return HWY_DYNAMIC_DISPATCH(nearest_of_capsule)(capsule, sought, near);
+void collide(const MovingShape& shape, const ContactSettings& settings, CollidingBlock& block) {
+    HWY_DYNAMIC_DISPATCH(collide_shape)(shape, settings, block);
 }
-bool find_nearest(const MovingTaperedCapsule& capsule, const NearestSought& sought, NearSurfaces& near) {
-    return HWY_DYNAMIC_DISPATCH(nearest_of_tapered)(capsule, sought, near);
+bool find_nearest(const MovingShape& shape, const NearestSought& sought, NearSurfaces& near) {
+    return HWY_DYNAMIC_DISPATCH(nearest_of_shape)(shape, sought, near);
 }
-bool find_nearest(const MovingPlane& plane, const NearestSought& sought, NearSurfaces& near) {
-    return HWY_DYNAMIC_DISPATCH(nearest_of_plane)(plane, sought, near);
-}
-bool find_nearest(const MovingBox& box, const NearestSought& sought, NearSurfaces& near) {
-    return HWY_DYNAMIC_DISPATCH(nearest_of_box)(box, sought, near);
+void find_surfaces(const HeldShape& shape, std::span<const Vec3> points, float sight,
+                   std::span<Vec4> surfaces) {
+    HWY_DYNAMIC_DISPATCH(find_surfaces_of)(shape, points, sight, surfaces);
 }
 
 }  // namespace weft

@@ -62,11 +62,7 @@ struct CollidingBlock {
 [[nodiscard]] BlockPaths paths_of(std::span<const Vec4> starts, std::span<const Vec4> positions);
 
 /// collide_particles() of collider_contacts.h, for one block and one collider.
-void collide(const MovingCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
-void collide(const MovingTaperedCapsule& capsule, const ContactSettings& settings, CollidingBlock& block);
-void collide(const MovingPlane& plane, const ContactSettings& settings, CollidingBlock& block);
-void collide(const MovingBox& box, const ContactSettings& settings, CollidingBlock& block);
-void collide(const MovingHeld& held, const ContactSettings& settings, CollidingBlock& block);
+void collide(const MovingShape& shape, const ContactSettings& settings, CollidingBlock& block);
 
 /// points = positions + gamma velocities. Returns their paths from `starts`, without those that are not
 /// numbers. Without starts none has moved.
@@ -89,12 +85,6 @@ struct NearestSought {
 };
 
 /// Stores the surface for particles to which it is the nearest so far. Returns whether there are any.
-[[nodiscard]] bool find_nearest(const MovingCapsule& capsule, const NearestSought& sought,
-                                NearSurfaces& near);
-[[nodiscard]] bool find_nearest(const MovingTaperedCapsule& capsule, const NearestSought& sought,
-                                NearSurfaces& near);
-[[nodiscard]] bool find_nearest(const MovingPlane& plane, const NearestSought& sought, NearSurfaces& near);
-[[nodiscard]] bool find_nearest(const MovingBox& box, const NearestSought& sought, NearSurfaces& near);
-[[nodiscard]] bool find_nearest(const MovingHeld& held, const NearestSought& sought, NearSurfaces& near);
+[[nodiscard]] bool find_nearest(const MovingShape& shape, const NearestSought& sought, NearSurfaces& near);
 
 }  // namespace weft

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include "collision/shapes/collider_motion.h"
 #include "collision/shapes/held_shape.h"
@@ -73,6 +74,8 @@ struct MovingHeld {
     const HeldShape* shape;
     float rate;
 };
+
+using MovingShape = std::variant<MovingCapsule, MovingTaperedCapsule, MovingPlane, MovingBox, MovingHeld>;
 
 /// Motion of a block's particles: the bounding box of their ends, and the greatest displacement.
 struct BlockPaths {
