@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "collision/colliders/nearest_surface.h"
+#include "collision/geometry/surfaces.h"
 #include "collision/shapes/held_shape.h"
 
 namespace weft {
@@ -194,9 +195,9 @@ Vector3 surface_velocity(const ColliderMotion& motion, const Vector3& point, flo
 void BodyContacts::add(const Collider& attached, const HeldShape* held, const BodyPose& pose,
                        const ColliderMotion& other, float reach) {
     const Collider own = carried(attached, pose);
-    const float thickness = own.thickness + other.end.thickness;
-    const float friction = std::sqrt(own.friction * other.end.friction);
-    const float restitution = std::max(own.restitution, other.end.restitution);
+    const float thickness = thickness_between(own.thickness, other.end.thickness);
+    const float friction = friction_between(own.friction, other.end.friction);
+    const float restitution = restitution_between(own.restitution, other.end.restitution);
     const float sight = reach + thickness;
     const auto contact = [&](const Vector3& on_other, const Vector3& normal, float gap) {
         if (!(gap - thickness < reach)) return;

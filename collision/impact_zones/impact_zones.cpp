@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "collision/geometry/surfaces.h"
 #include "engine/vector.h"
 
 namespace weft {
@@ -217,7 +218,7 @@ void ImpactZones::merge_close(const CollidingPairs& collisions, ZoneCounts& coun
 void ImpactZones::aim(const ZoneSettings& settings) {
     const auto restitution_of = [&](std::size_t a, std::size_t b) {
         const std::span<const float> of = settings.restitutions;
-        return of.empty() ? 0.0 : static_cast<double>(std::min(of[a], of[b]));
+        return of.empty() ? 0.0 : static_cast<double>(restitution_between(of[a], of[b]));
     };
     std::size_t kept = 0;
     for (Collision each : collisions_) {

@@ -21,7 +21,7 @@ std::uint32_t find_colliding(const PairList& pairs, std::span<const Vec4> positi
 
 struct ZoneSettings {
     /// C_e by body: relative velocity of two clusters after their collision over that before it, 0 to 1; two
-    /// bodies have the lesser. Empty: 0.
+    /// bodies have the greater. Empty: 0.
     std::span<const float> restitutions = {};
     /// Whether every particle of a cluster gets the cluster's velocity, as in the source. If not, it gets the
     /// cluster's change of velocity: cloth may go on bending and colliding within the cluster.

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "collision/geometry/surfaces.h"
 #include "engine/bounds.h"
 #include "engine/vector.h"
 #include "weft/collider.h"
@@ -81,10 +82,10 @@ struct ClothSide {
 
 /// The distance at which the collider can first touch a particle of the cloth [m].
 inline float thickness_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return cloth.most_thickness + motion.end.thickness;
+    return thickness_between(cloth.most_thickness, motion.end.thickness);
 }
 inline float restitution_of(const ColliderMotion& motion, const ClothSide& cloth) {
-    return std::max(cloth.restitution, motion.end.restitution);
+    return restitution_between(cloth.restitution, motion.end.restitution);
 }
 
 }  // namespace weft

@@ -3,10 +3,9 @@
 // to what they give cloth. Cloth that lies on another collider stops a body.
 //
 // A body's colliders also meet the World's colliders that no body carries, where their layers share a bit:
-// they rest there, slide with Coulomb friction (the geometric mean of both coefficients) and bounce by the
-// greater restitution, up to a step early. Both keep their thickness apart. A hull or mesh of a body has
-// corners only, of more than 32 the farthest in 26 directions. Collisions of bodies with one another are the
-// host's.
+// they rest there, slide and bounce by the rule of collider.h, up to a step early. A hull or mesh of a body
+// has corners only, of more than 32 the farthest in 26 directions. Collisions of bodies with one another are
+// the host's.
 //
 // Cloth that has attached vertices, or is within 5 cm of a body's collider, never sleeps, however still both
 // are. Cloth in a frame (World::set_frame) meets bodies where they are in the World. A body's colliders have

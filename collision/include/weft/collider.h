@@ -1,6 +1,12 @@
 #pragma once
 // Shapes that cloth collides with. Beyond the stated ranges single precision would make contacts that are not
 // finite.
+//
+// Where two surfaces meet, whether colliders, bodies or cloth, their properties combine by one rule.
+// Friction: colliders and layers of cloth have Coulomb coefficients, of which the geometric mean counts;
+// towards a collider a cloth has the collider's coefficient, times its own ClothSettings::friction, a factor
+// that is 1 by default. Thickness: each surface keeps its own, so that both add up; layers of cloth keep half
+// of SelfCollision::distance each. Restitution: the greater counts.
 
 #include <cstdint>
 #include <variant>
@@ -54,16 +60,15 @@ struct PlacedShape {
     Rotation rotation{};  ///< orientation of its axes in the World
 };
 
-/// A shape that cloth collides with. Each field says how it combines with the cloth's own value. Moving or
-/// placing the collider can change all of it: a move interpolates numbers over the step, while layers and
-/// triggers have their new values from its start.
+/// A shape that cloth collides with. Moving or placing the collider can change all of it: a move interpolates
+/// numbers over the step, while layers and triggers have their new values from its start.
 struct Collider {
     std::variant<Sphere, Capsule, Plane, TaperedCapsule, Box, PlacedShape> shape{};
-    float friction = 0.4f;  ///< Coulomb coefficient, from 0 to 1e6; multiplied by the cloth's own
-    float thickness = 0;    ///< distance kept from it, added to the cloth's own [m], from 0 to 10
+    float friction = 0.4f;  ///< Coulomb coefficient, from 0 to 1e6
+    float thickness = 0;    ///< distance kept from it [m], from 0 to 10
     /// Coefficient of restitution, from 0 to 1: a particle's normal velocity after a hit over that before.
-    /// The greater of this and the cloth's own counts. Impacts slower than twice the velocity that gravity
-    /// adds in a substep do not bounce, so that cloth comes to rest.
+    /// Impacts slower than twice the velocity that gravity adds in a substep do not bounce, so that cloth
+    /// comes to rest.
     float restitution = 0;
     /// A cloth meets the collider if its ClothSettings::collider_mask has a bit of these, and a vertex if its
     /// Map::collider_mask has one, too. A collider that a cloth does not meet costs it no time, and is not in

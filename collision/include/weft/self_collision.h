@@ -65,7 +65,7 @@ struct SelfCollision {
     /// Coulomb coefficient between layers, 0 to 1000; of two cloths the geometric mean of theirs.
     float friction = 0.3f;
     /// Coefficient of restitution of impact zones, 0 to 1: relative velocity of layers after a collision over
-    /// that before; of two cloths the lesser. Must be 0 with other methods.
+    /// that before; of two cloths the greater. Must be 0 with other methods.
     float restitution = 0;
     /// By contact and impact zones: two cloths meet if each one's mask has a bit of the other's layers. No
     /// mask keeps a cloth from meeting itself.

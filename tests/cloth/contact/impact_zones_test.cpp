@@ -263,16 +263,16 @@ TEST(ImpactZonesInWorld, RestitutionDecidesHowClothsPart) {
     EXPECT_LT(much, 1) << "of the 1 m/s that they came with";
 }
 
-TEST(ImpactZonesInWorld, TwoClothsHaveTheLesserRestitution) {
+TEST(ImpactZonesInWorld, TwoClothsHaveTheGreaterRestitution) {
     const auto end = [](float upper, float lower) {
         Clash clash(two_sheets(), {with_xpbd(by_zones(upper)), with_xpbd(by_zones(lower))});
         for (int frame = 0; frame < 12; ++frame) clash.world->step(h);
         return clash.positions();
     };
-    const std::vector<Vec4> both = end(0.3f, 0.3f);
+    const std::vector<Vec4> both = end(0.9f, 0.9f);
     EXPECT_TRUE(same_bytes(end(0.3f, 0.9f), both));
     EXPECT_TRUE(same_bytes(end(0.9f, 0.3f), both));
-    EXPECT_FALSE(same_bytes(end(0.9f, 0.9f), both));
+    EXPECT_FALSE(same_bytes(end(0.3f, 0.3f), both));
 }
 
 TEST(ImpactZonesInWorld, TheDefaultMethodAndAnyNumberOfThreads) {
