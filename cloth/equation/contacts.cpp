@@ -30,7 +30,7 @@ struct ContactBlock {
     Vec4* impulses;
     Vec4* normals;
     const float* rubbed;
-    float* loads;            // see HeldContacts
+    Vec4* loads;             // see HeldContacts
     const float* of_bodies;  // per particle: what a body adds to its spring [kg]; null: no bodies
 };
 
@@ -60,10 +60,12 @@ HWY_INLINE Lanes spring_of(const ContactBlock& block, std::uint32_t i) {
     return block.of_bodies != nullptr ? hn::Add(spring, hn::Load(Tag(), block.of_bodies + i)) : spring;
 }
 
-/// The last step's load, turned to the present normal.
-HWY_INLINE Lanes load_of(const ContactBlock& block, std::uint32_t i) {
+/// The last step's load, turned to the present normal: friction across it, w the load along it.
+HWY_INLINE Lanes4 load_of(const ContactBlock& block, std::uint32_t i) {
     const Lanes3 before = xyz(load_rows(block.normals + i)), n = xyz(load_lanes(block.near.surfaces, i));
-    return hn::Mul(hn::Load(Tag(), block.loads + i), hn::Max(dot(before, n), set(0)));
+    const Lanes4 load = load_rows(block.loads + i);
+    const Lanes3 across = xyz(load) - dot(xyz(load), n) * n;
+    return {across.x, across.y, across.z, hn::Mul(load.w, hn::Max(dot(before, n), set(0)))};
 }
 
 /// Distance to the surface, which is raised by as much as the spring yields under the load.
@@ -86,7 +88,8 @@ HWY_INLINE auto in_contact(const ContactBlock& block, std::uint32_t i, const Lan
 void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes zero = set(0);
     const Lanes4 surface = load_lanes(block.near.surfaces, i), motion = load_lanes(block.near.motions, i);
-    const Lanes load = load_of(block, i), gap = gap_of(block, i, load);
+    const Lanes4 loads = load_of(block, i);
+    const Lanes load = loads.w, gap = gap_of(block, i, load);
     const auto contact = in_contact(block, i, gap);
     const Lanes stored = load_rows(block.normals + i).w;
     const Lanes3 n = xyz(surface), v = xyz(load_rows(block.velocities + i));
@@ -105,22 +108,26 @@ void linearise_part(const ContactBlock& block, std::uint32_t i, float* blocks) {
     const Lanes limit = hn::Mul(motion.w, hn::MulAdd(yields, hn::Div(mass, spring), stored));
     const Lanes stick = hn::Mul(set(block.stick_per_spring), spring);
     const Lanes3 sliding = relative - dot(relative, n) * n;
-    const Lanes speed = hn::Sqrt(dot(sliding, sliding));
+    // Friction is what bore the load in the last step, less the damper of what slides on: what sticks comes
+    // to rest under any load.
+    const Lanes3 sticking = keep_where(hn::Not(along), xyz(loads)) - stick * sliding;
+    const Lanes wanted = hn::Sqrt(dot(sticking, sticking));
     // If the damper took more than the limit, its correction is applied twice: sliding from rest then gathers
     // speed sooner.
     const Lanes took = load_lanes(block.rubbed + i);
     const Lanes again =
         hn::IfThenElse(hn::Gt(took, limit), hn::Max(hn::Div(limit, took), set(0.25f)), set(1));
     // NaN, after a failed step, counts as an infinite limit.
-    const auto slides = hn::AndNot(along, hn::Lt(limit, hn::Mul(stick, speed)));
-    const Lanes damper = hn::IfThenElse(slides, hn::Mul(again, hn::Div(limit, speed)), stick);
+    const auto slides = hn::AndNot(along, hn::Lt(limit, wanted));
+    const Lanes share = hn::IfThenElse(slides, hn::Mul(again, hn::Div(limit, wanted)), set(1));
+    const Lanes damper = hn::Mul(share, stick);
 
     SymmetricLanes g = add_square(zero_symmetric(), n);
     g = keep_where(contact, add_identity(hn::Sub(spring, damper) * g, damper));
     store_symmetric(g, blocks);
-    store_rows(keep_where(contact, g * v + (pressed * n - damper * sliding)), zero, block.impulses + i);
+    store_rows(keep_where(contact, g * v + (pressed * n + share * sticking)), zero, block.impulses + i);
     store_rows(keep_where(contact, n), hn::IfThenElseZero(contact, stored), block.normals + i);
-    hn::Store(load, Tag(), block.loads + i);
+    store_rows(keep_where(contact, xyz(loads)), hn::IfThenElseZero(contact, load), block.loads + i);
 }
 
 /// Makes the rows of one group if any of its lanes is in contact; returns whether.
@@ -128,7 +135,7 @@ bool linearise_group(const ContactBlock& block, std::uint32_t first) {
     bool touching = false;
     for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
         touching =
-            touching || !hn::AllFalse(Tag(), in_contact(block, i, gap_of(block, i, load_of(block, i))));
+            touching || !hn::AllFalse(Tag(), in_contact(block, i, gap_of(block, i, load_of(block, i).w)));
     if (!touching) return false;
     for (std::uint32_t i = first; i < first + Stencil::lanes; i += part_lanes)
         linearise_part(block, i, block.blocks + std::size_t{6} * first + i % Stencil::lanes);
@@ -167,7 +174,7 @@ constexpr float spring_per_mass = 50.0f, spring_per_fabric = 0.005f;
 // A body that lies on n particles sinks in by 50 / n free steps' falls. With the springs above alone a heavy
 // body would come through light cloth; springs that stiffen under load would give it energy.
 constexpr double spring_per_body = 0.02;
-constexpr float stick_per_spring = 10;  // cloth at rest on a slope creeps by 0.1 mm/s
+constexpr float stick_per_spring = 10;  // with stiffer ones cloth begins to slide later (part 16)
 
 // An attached particle's spring is as stiff as the fabric beside it, and the particle is put back afterwards.
 // Part 16 of tests/bench/MEASUREMENTS.md has stiffer springs.
@@ -245,7 +252,7 @@ void Contacts::linearise(const StepEquation& equation, std::span<const Vec4> vel
         if (touching != 0 && !touches) {
             std::fill_n(held_->normals.data() + i, Stencil::lanes, Vec4{});
             std::fill_n(held_->rubbed.data() + i, Stencil::lanes, 0.0f);
-            std::fill_n(held_->loads.data() + i, Stencil::lanes, 0.0f);
+            std::fill_n(held_->loads.data() + i, Stencil::lanes, Vec4{});
         }
         touching = touches ? 1 : 0;
     }
@@ -376,21 +383,32 @@ void Contacts::bounce_block(const StepEquation& equation, const BlockRange& rang
         if (!(wanted > 0 && more > 0)) continue;
         set_xyz(velocities[i], xyz(velocities[i]) + more * n);
         normal.w = 0;
-        held_->loads[i] = 0;
+        held_->loads[i] = {};
     }
 }
 
-// Impacts end with the step, so the impulse that stopped the particle is no load. Particles on bodies have no
-// load, because the part that stopped the body is not known.
+/// Whether a row's damper is more than half of that of particles that stick, as of those that have just
+/// reached Coulomb's limit. Particles that slide have less.
+bool is_stuck(const Symmetric3& g, const Vector3& n) {
+    const float spring = n.dot(g * n), dampers = g.xx + g.yy + g.zz - spring;
+    return dampers > stick_per_spring * spring;
+}
+
+// Impacts end with the step, so the impulse that stopped the particle is no load, nor is the friction of what
+// slides. Particles on bodies have no load, because the part that stopped the body is not known.
 void Contacts::keep_loads(const StepEquation& equation, std::span<const Vec4> velocities,
                           const BlockRange& range) {
     for_each_touching(*held_, range.begin, range.end, [&](std::uint32_t i) {
         const Vec4& normal = held_->normals[i];
         const float w = equation.positions[i].w;
-        const Vector3 change = xyz(velocities[i]) - xyz(equation.base_velocities[i]);
-        const float stopped = w > 0 ? std::max(xyz(normal).dot(change) / w, 0.0f) : normal.w;
         const bool by_body = body_buffers_ != nullptr && body_buffers_->pressed[i] != BodyBuffers::none;
-        held_->loads[i] = by_body ? 0.0f : std::max(normal.w - stopped, 0.0f);
+        held_->loads[i] = {};
+        if (by_body || !(w > 0 && normal.w > 0)) return;
+        const Vector3 n = xyz(normal), v = xyz(velocities[i]), given = of_colliders(i, v);
+        const Vector3 stopped = (v - xyz(equation.base_velocities[i])) / w, rubbed = given - n.dot(given) * n;
+        const float squared = is_stuck(rows_.block(i), n) ? rubbed.squaredNorm() : 0;
+        const float share = squared > 0 ? std::clamp(1 - rubbed.dot(stopped) / squared, 0.0f, 1.0f) : 0;
+        held_->loads[i] = to_vec4(share * rubbed, std::max(normal.w - std::max(n.dot(stopped), 0.0f), 0.0f));
     });
 }
 

@@ -78,8 +78,9 @@ class OwnSurfaces {
 /// the step nearer than the thickness is pushed out by a stiff spring (Terzopoulos, Platt, Barr, Fleischer
 /// 1987). A damper in the plane of contact holds it up to Coulomb's limit, as far as that is known. The
 /// spring yields by a fiftieth of a free step's fall under a particle's own weight; collide() corrects that
-/// afterwards. The load of the last step presses from the start, and the spring bears only the rest, so that
-/// resting cloth keeps its support (augmented Lagrangian: Hestenes 1969, Powell 1969).
+/// afterwards. The load of the last step, along the normal and across it, acts from the start, and spring and
+/// damper bear only the rest, so that resting cloth keeps its support and does not creep (augmented
+/// Lagrangian: Hestenes 1969, Powell 1969).
 class Contacts {
   public:
     /// `with_pairs`: the cloth's features meet others, or it has seams.

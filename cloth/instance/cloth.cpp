@@ -497,7 +497,7 @@ void Cloth::commit_restore() {
 void Cloth::erase_contact_memory() noexcept {
     std::ranges::fill(state.held.normals.span(), Vec4{});
     std::ranges::fill(state.held.rubbed.span(), 0.0f);
-    std::ranges::fill(state.held.loads.span(), 0.0f);
+    std::ranges::fill(state.held.loads.span(), Vec4{});
     std::ranges::fill(state.held.touching.span(), 0u);
     std::ranges::fill(state.shares, BodyShare{});
     state.may_cross = has_features() ? 1 : 0;

@@ -46,11 +46,12 @@ void kick_outwards(const Carried& carried, const BlockRange& range, ClothState& 
     }
 }
 
-/// Moves positions, arrivals and contact normals, but no velocities.
+/// Moves positions, arrivals, contact normals and friction, but no velocities.
 void move_cloth(const RigidMotion& by, const BlockRange& range, ClothState& state) {
     move_points(state.positions.span(), range, by);
     move_points(state.record.arrivals.span(), range, by);
     turn_vectors(state.held.normals.span(), range, by);
+    turn_vectors(state.held.loads.span(), range, by);
 }
 
 /// Moves the cloth and its present skin, but not their targets.

@@ -15,8 +15,8 @@ struct HeldContacts {
 
     AlignedBuffer<Vec4> normals;            ///< contact normal, 0 without contact; w its impulse [kg m/s]
     AlignedBuffer<float> rubbed;            ///< friction impulse of the damper, as last computed [kg m/s]
-    AlignedBuffer<float> loads;             ///< load at rest: the normal impulse less the share that
-                                            ///< stopped the particle [kg m/s]
+    AlignedBuffer<Vec4> loads;              ///< impulse less the share that stopped the particle [kg m/s]:
+                                            ///< x y z friction, w along the normal
     AlignedBuffer<std::uint32_t> touching;  ///< per group of 16: whether any particle is in contact; if none
                                             ///< is, the other arrays are 0 there
 

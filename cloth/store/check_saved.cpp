@@ -144,7 +144,7 @@ Result<void> check_held(const std::string& name, const ClothState& here, std::si
                         const SavedNumbers& numbers) {
     const bool normals = numbers.rows_within(here.held.normals.size(), most);
     const bool rubbed = numbers.within(here.held.rubbed.size(), most);
-    const bool loads = numbers.within(here.held.loads.size(), most);
+    const bool loads = numbers.rows_within(here.held.loads.size(), most);
     numbers.skip(here.held.touching.span().size_bytes());
     const bool shares = numbers.within(bodies * (sizeof(BodyShare) / sizeof(float)), most);
     return sound_or(normals && rubbed && loads && shares, name,

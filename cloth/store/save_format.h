@@ -19,7 +19,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Raised with each change of the format behind the head.
-inline constexpr std::uint32_t save_version = 11;
+inline constexpr std::uint32_t save_version = 12;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 /// Mark of a save of one cloth: a head, and the cloth's head and part.
 inline constexpr std::array<char, 8> cloth_mark = {'W', 'E', 'F', 'T', 'C', 'L', 'T', 'H'};

@@ -91,7 +91,16 @@ TEST(ThinColliders, ABarIsCarriedAtAnySpeed) {
 
 TEST(ThinColliders, ASwungSwordIsCarried) {
     EXPECT_EQ(strike(Striker{Striker::Kind::sword, 5, 0.005f}, 32, 0.35f).carried, 1);
-    EXPECT_GT(strike(Striker{Striker::Kind::sword, 30, 0.005f}, 32, 0.35f).carried, 0.9f);
+    // Of 20 phases of the step one leaves two of 19 probes behind.
+    int whole = 0;
+    float mean = 0;
+    for (const float phase : {0.1f, 0.35f, 0.6f, 0.85f}) {
+        const float carried = strike(Striker{Striker::Kind::sword, 30, 0.005f}, 32, phase).carried;
+        whole += carried == 1 ? 1 : 0;
+        mean += carried / 4;
+    }
+    EXPECT_GE(whole, 3);
+    EXPECT_GT(mean, 0.95f);
 }
 
 TEST(ThinColliders, ANeedleDoesNotStickThrough) {

@@ -75,8 +75,9 @@ struct Law {
     Eigen::Vector3d at_velocity = Eigen::Vector3d::Zero();  // c - G v
     bool corrected_twice = false;
 };
-Law law_of(const LyingCloth& lying, std::uint32_t i, double stored, double load, double took,
+Law law_of(const LyingCloth& lying, std::uint32_t i, double stored, const Vec4& kept, double took,
            double gravity_fall) {
+    const double load = static_cast<double>(kept.w);
     const Plane start = std::get<Plane>(lying.motions[0].start.shape),
                 end = std::get<Plane>(lying.motions[0].end.shape);
     const Eigen::Vector3d n = to_vector(end.normal).cast<double>().normalized();
@@ -99,13 +100,16 @@ Law law_of(const LyingCloth& lying, std::uint32_t i, double stored, double load,
                          (stored + std::max(stored - load, 0.0) / (w * spring));
     const Eigen::Vector3d surface = n * static_cast<double>(end.offset - start.offset) / step;
     const Eigen::Vector3d sliding = (Eigen::Matrix3d::Identity() - n * n.transpose()) * (v - surface);
-    double damper = 10 * spring;
-    if (limit < damper * sliding.norm()) {
+    const Eigen::Vector3d kept_friction = xyz(kept).cast<double>();
+    const Eigen::Vector3d sticking = kept_friction - n.dot(kept_friction) * n - 10 * spring * sliding;
+    double share = 1;
+    if (limit < sticking.norm()) {
         law.corrected_twice = took > limit;
-        damper = limit / sliding.norm() * (law.corrected_twice ? std::max(limit / took, 0.25) : 1.0);
+        share = limit / sticking.norm() * (law.corrected_twice ? std::max(limit / took, 0.25) : 1.0);
     }
+    const double damper = 10 * spring * share;
     law.g = damper * Eigen::Matrix3d::Identity() + (spring - damper) * n * n.transpose();
-    law.at_velocity = impulse * n - damper * sliding;
+    law.at_velocity = impulse * n + share * sticking;
     return law;
 }
 
@@ -120,7 +124,7 @@ TEST(Contacts, RowsAreThoseOfTheLaw) {
             }
             const AlignedBuffer<Vec4>& velocities = lying.cloth.state.velocities;
             std::vector<double> stored, took(velocities.size(), 0.0);
-            const std::vector<float> loads(lying.held.loads.span().begin(), lying.held.loads.span().end());
+            const std::vector<Vec4> loads(lying.held.loads.span().begin(), lying.held.loads.span().end());
             for (const Vec4& normal : lying.held.normals.span())
                 stored.push_back(static_cast<double>(normal.w));
             for (std::uint32_t i = 0; pressed_before && i < took.size(); ++i)
@@ -132,8 +136,7 @@ TEST(Contacts, RowsAreThoseOfTheLaw) {
             const ContactRows& rows = lying.contacts.rows();
             int in_contact = 0, sticking = 0, corrected_twice = 0;
             for (std::uint32_t i = 0; i < lying.cloth.model.particle_count; ++i) {
-                const Law law =
-                    law_of(lying, i, stored[i], static_cast<double>(loads[i]), took[i], -9.81 / 3600);
+                const Law law = law_of(lying, i, stored[i], loads[i], took[i], -9.81 / 3600);
                 const Eigen::Matrix3d g = rows.touches(i) ? rows.block(i).full() : Eigen::Matrix3d::Zero();
                 Eigen::Vector3d c = Eigen::Vector3d::Zero();
                 if (rows.touches(i)) c = xyz(rows.impulses[i]).cast<double>();
