@@ -1,4 +1,4 @@
-// What a host does with the library alone: its own threads, several Worlds, settings by name.
+// A host with the library alone: its own threads, several Worlds, settings by name.
 
 #include <gtest/gtest.h>
 #include <weft/weft.h>

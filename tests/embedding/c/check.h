@@ -1,5 +1,5 @@
 #pragma once
-// What the C tests say where something is not so.
+// Checks of the C tests: a failure prints the condition and the library's error text.
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@
         }                                                                                              \
     } while (0)
 #define TAKES(call) CHECK((call) == WEFT_OK)
-// What is wrong with it the text has a word of.
+// The error's text must contain `word`.
 #define REFUSES(code, word, call)                         \
     do {                                                  \
         CHECK((call) == (code));                          \

@@ -105,7 +105,7 @@ T changed(T of, std::size_t place) {
     return of;
 }
 
-/// Of a struct that a host sets: every field goes over and comes back, and no other with it.
+/// Expects every field of a struct that a host sets to be converted there and back, without any other.
 template <class C, class T>
 void expect_both_ways(const T& of) {
     const std::vector<double> before = leaves(of);
@@ -119,7 +119,7 @@ void expect_both_ways(const T& of) {
     }
 }
 
-/// Of a struct that a host reads: every field is seen, at a place of its own.
+/// Expects every field of a struct that a host reads to be converted, to a place of its own.
 template <class C, class T>
 void expect_one_way(const T& of) {
     const auto bytes_of = [](const C& c) { return std::string(reinterpret_cast<const char*>(&c), sizeof c); };
@@ -196,7 +196,7 @@ struct Grown {
 };
 
 }  // namespace
-// It had no `young` in the first version.
+// The first version of Grown had no `young`.
 template <>
 inline constexpr std::size_t first_size<Grown> = 8;
 namespace {
@@ -291,7 +291,7 @@ static_assert(is_kind<Sphere, Solid>(WEFT_SPHERE) && is_kind<Capsule, Solid>(WEF
               is_kind<Plane, Solid>(WEFT_PLANE) && is_kind<TaperedCapsule, Solid>(WEFT_TAPERED_CAPSULE) &&
               is_kind<Box, Solid>(WEFT_BOX) && is_kind<PlacedShape, Solid>(WEFT_PLACED_SHAPE));
 
-// What is handed over as it lies.
+// These structs are passed to C without a conversion.
 #define SAME_PLACE(C, Of, field) static_assert(offsetof(C, field) == offsetof(Of, field))
 SAME_PLACE(WeftContact, Contact, other_cloth);
 SAME_PLACE(WeftContact, Contact, collider);

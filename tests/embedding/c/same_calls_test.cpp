@@ -44,7 +44,7 @@ struct Given {
     }
 };
 
-/// What was recorded, and the generations of the ids that were given, which each World has of its own.
+/// The recorded bytes, and the generations of the ids, which differ between Worlds.
 struct Tape {
     std::vector<std::byte> bytes;
     std::vector<std::uint32_t> generations;
@@ -168,7 +168,7 @@ void expect_same_view(const WeftWorld* world, WeftClothId id) {
 }
 
 using Line = std::array<float, 9>;
-/// What is drawn for C is from and to where it is for C++.
+/// Expects debug drawing to give C the same lines as C++.
 void expect_same_lines(const WeftWorld* world) {
     std::vector<Line> in_cpp, in_c;
     const DebugCanvas canvas{&in_cpp, [](void* user, const Vec3& from, const Vec3& to, const Vec3& colour) {
