@@ -5,7 +5,7 @@
 #include <csignal>
 #include <cstdio>
 
-// Of the sanitizers' runtime; null without it.
+// A function of the sanitizers' runtime; null without it.
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*callback)());
 
 namespace weft::fuzz {

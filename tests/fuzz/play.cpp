@@ -6,21 +6,41 @@
 
 #include "cloth/motion/rigid_motion.h"
 #include "collision/shapes/collider_motion.h"
-#include "tests/fuzz/cooked.h"
 #include "tests/fuzz/player.h"
 #include "tests/fuzz/recording.h"
 #include "tests/fuzz/text.h"
 
 namespace weft::fuzz {
 
+namespace {
+
+template <class... Calls>
+struct Overloaded : Calls... {
+    using Calls::operator()...;
+};
+template <class... Calls>
+Overloaded(Calls...) -> Overloaded<Calls...>;
+
+}  // namespace
+
 void Player::call(const Operation& operation) {
-    // Of a cloth of which no mesh could be made there is no id.
+    // A cloth whose mesh was refused has no id.
     const bool adds = std::holds_alternative<AddCloth>(operation.call);
     if (operation.cloth != Operation::no_cloth && !adds && !cloths_[operation.cloth])
         return leave_out(operation);
     const std::string before = snapshot_now();
-    const Answered answer =
-        std::visit([&](const auto& call) { return make(operation, call); }, operation.call);
+    const auto cloth = [&] { return *cloths_[operation.cloth]; };
+    const Overloaded make_call{
+        [&](const SetEnabled& call) -> Answered { return world_.set_enabled(cloth(), call.on); },
+        [&](const Wake&) -> Answered { return world_.wake(cloth()); },
+        [&](const SetImportance& call) -> Answered {
+            return world_.set_importance(cloth(), call.importance);
+        },
+        [&](const Detach& call) -> Answered { return world_.detach(cloth(), call.vertices); },
+        [&](const SetFrame& call) -> Answered { return world_.set_frame(cloth(), call.pose); },
+        [&](const LeaveFrame&) -> Answered { return world_.leave_frame(cloth()); },
+        [&](const auto& call) { return make(operation, call); }};
+    const Answered answer = std::visit(make_call, operation.call);
     if (answer) check_answer(operation, *answer, before);
     for (std::size_t i = 0; options_.checked && i < cloths_.size(); ++i)
         if (is_there(i)) check_cloth(i);
@@ -93,18 +113,6 @@ Player::Answered Player::make(const Operation& operation, const SetClothSettings
         check(text_of(world_.cloth_settings(*cloths_[operation.cloth]).value()) == text_of(call.settings),
               "settings are not those given");
     return answer;
-}
-
-Player::Answered Player::make(const Operation& operation, const SetEnabled& call) {
-    return world_.set_enabled(*cloths_[operation.cloth], call.on);
-}
-
-Player::Answered Player::make(const Operation& operation, const Wake&) {
-    return world_.wake(*cloths_[operation.cloth]);
-}
-
-Player::Answered Player::make(const Operation& operation, const SetImportance& call) {
-    return world_.set_importance(*cloths_[operation.cloth], call.importance);
 }
 
 Player::Answered Player::make(const Operation& operation, const Pin& call) {
@@ -229,10 +237,6 @@ Player::Answered Player::make(const Operation& operation, const Attach& call) {
     return world_.attach(*body, *cloths_[operation.cloth], call.vertices);
 }
 
-Player::Answered Player::make(const Operation& operation, const Detach& call) {
-    return world_.detach(*cloths_[operation.cloth], call.vertices);
-}
-
 Player::Answered Player::make(const Operation&, const SetWorldSettings& call) {
     const WorldSettings settings = with_threads(call.settings);
     const auto answer = world_.set_settings(settings);
@@ -260,14 +264,6 @@ Player::Answered Player::make(const Operation& operation, const ResetCloth& call
         target = {there.x, there.y, there.z};
     }
     return answer;
-}
-
-Player::Answered Player::make(const Operation& operation, const SetFrame& call) {
-    return world_.set_frame(*cloths_[operation.cloth], call.pose);
-}
-
-Player::Answered Player::make(const Operation& operation, const LeaveFrame&) {
-    return world_.leave_frame(*cloths_[operation.cloth]);
 }
 
 Player::Answered Player::make(const Operation& operation, const SetMap& call) {

@@ -20,13 +20,13 @@ struct PlayOptions {
     std::optional<int> threads;          ///< in place of those that the script names, and of its executors
     std::optional<std::size_t> without;  ///< a cloth whose calls are left out
     bool checked = true;                 ///< false: fingerprints only
-    /// Of a play in which other saves than these were refused, since cloths had come and gone: in ascending
-    /// order. Null: all are tried.
+    /// Saves that an earlier play could restore, in ascending order; others were refused, since cloths had
+    /// come and gone. Null: all are tried.
     const std::vector<std::size_t>* restored = nullptr;
     std::vector<std::byte>* recorded = nullptr;  ///< where the World is recorded; null: nowhere
 };
 
-/// Of the positions and velocities of each cloth, after each operation; 0 for cloths that are not there.
+/// Hashes of each cloth's positions and velocities after each operation; 0 for cloths that are not there.
 using Fingerprints = std::vector<std::vector<std::uint64_t>>;
 
 /// Where something was in a whole play, and how far it might have gone in each of its steps [m].
@@ -34,7 +34,7 @@ struct Reached {
     Vec3 lower{1, 1, 1}, upper{-1, -1, -1};  ///< empty: it was nowhere
 };
 
-/// What came of it.
+/// The results of a play.
 struct Played {
     Fingerprints fingerprints;
     std::vector<Reached> reached;       ///< by each cloth

@@ -1,9 +1,10 @@
-// Seams, and saves of single cloths, in a script.
+// Cloth that is cut, and sewn.
 
 #include "tests/fuzz/player.h"
 
 namespace weft::fuzz {
 
+/// Seams, and saves of single cloths, in a script.
 Player::Answered Player::make(const Operation& operation, const Stitch& call) {
     std::optional<SeamId>& seam = seams_.emplace_back();
     const bool is_left_out = options_.without && call.other == *options_.without;
@@ -64,6 +65,36 @@ Player::Answered Player::make(const Operation& operation, const RestoreCloth& ca
     if (world_.cloth_info(id)->vertices != kept.vertices) return std::nullopt;
     const auto answer = world_.restore_cloth(id, kept.bytes);
     if (answer) pins_[operation.cloth] = kept.pins;
+    return answer;
+}
+
+// Cloth that is cut in a script.
+
+/// Pins of copies are put apart: where they are to be is said anew.
+Player::Answered Player::make(const Operation& operation, const Recut& call) {
+    const ClothId id = *cloths_[operation.cloth];
+    const auto view_before = world_.cloth(id);
+    const std::vector<std::uint32_t> before =
+        view_before
+            ? std::vector(view_before->vertex_to_particle.begin(), view_before->vertex_to_particle.end())
+            : std::vector<std::uint32_t>();
+    const std::string unchanged = snapshot_now();
+    const auto answer = world_.recut_cloth(id, call.cut.mesh, call.cut.from);
+    if (!answer && operation.answer == Answer::either && view_before) {
+        // The script goes on with vertices that this cloth does not have.
+        check(snapshot_now() == unchanged, "failed (" + answer.error().message + ") and changed the World");
+        check(world_.remove_cloth(id).ok(), "a cloth is not there any more");
+        return std::nullopt;
+    }
+    if (!answer) return answer;
+    std::map<std::uint32_t, Vec3> now;
+    for (std::uint32_t v = 0; v < call.cut.from.size(); ++v) {
+        const auto pin = pins_[operation.cloth].find(before[call.cut.from[v]]);
+        if (pin == pins_[operation.cloth].end()) continue;
+        now[particle(operation.cloth, v)] = pin->second;
+        check(world_.move_pin(id, v, pin->second).ok(), "a copy of what is pinned is not");
+    }
+    pins_[operation.cloth] = std::move(now);
     return answer;
 }
 

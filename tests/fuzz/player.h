@@ -13,7 +13,7 @@
 
 #include "tests/fuzz/play.h"
 #include "tests/fuzz/recording.h"
-#include "tests/fuzz/snapshot.h"
+#include "tests/fuzz/text.h"
 
 namespace weft::fuzz {
 
@@ -70,9 +70,6 @@ class Player {
     Answered make(const Operation& operation, const RemoveCloth&);
     Answered make(const Operation& operation, const Recut& call);
     Answered make(const Operation& operation, const SetClothSettings& call);
-    Answered make(const Operation& operation, const SetEnabled& call);
-    Answered make(const Operation& operation, const Wake&);
-    Answered make(const Operation& operation, const SetImportance& call);
     Answered make(const Operation& operation, const Ask&);
     Answered make(const Operation& operation, const Pin& call);
     Answered make(const Operation& operation, const MovePin& call);
@@ -87,12 +84,9 @@ class Player {
     Answered make(const Operation&, const AttachCollider& call);
     Answered make(const Operation&, const DetachCollider& call);
     Answered make(const Operation& operation, const Attach& call);
-    Answered make(const Operation& operation, const Detach& call);
     Answered make(const Operation&, const SetWorldSettings& call);
     Answered make(const Operation& operation, const MoveCloth& call);
     Answered make(const Operation& operation, const ResetCloth& call);
-    Answered make(const Operation& operation, const SetFrame& call);
-    Answered make(const Operation& operation, const LeaveFrame&);
     Answered make(const Operation& operation, const SetMap& call);
     Answered make(const Operation& operation, const SetSkin& call);
     Answered make(const Operation&, const ShiftOrigin& call);
@@ -110,7 +104,7 @@ class Player {
     Answered make(const Operation& operation, const Stitch& call);
     Answered make(const Operation&, const Unstitch& call);
 
-    /// What a script says of an instance is which of its shapes it is of.
+    /// A script's instance names the number of its shape in place of the id.
     [[nodiscard]] Collider resolved(Collider collider) const {
         if (auto* const placed = std::get_if<PlacedShape>(&collider.shape))
             placed->shape = shapes_[placed->shape.index].value_or(ShapeId{});
@@ -133,7 +127,7 @@ class Player {
     void check_seams(const StepReport& report) const;
 
     [[nodiscard]] WorldSettings with_threads(WorldSettings settings) const {
-        // What is out of range stays so: the call must be refused whoever makes it.
+        // Threads out of range stay so: the call must be refused with any number of threads.
         if (!options_.threads || settings.threads < 0 || settings.threads > 256) return settings;
         settings.threads = *options_.threads;
         settings.executor = {};
@@ -185,7 +179,7 @@ class Player {
     std::vector<std::map<std::uint32_t, Vec3>> pins_;  ///< where each pinned particle of each cloth shall be
     std::uint64_t steps_ = 0;
 
-    /// What a save is to bring back.
+    /// The state that a save must restore.
     struct Kept {
         std::vector<std::byte> bytes;
         std::uint64_t hash;

@@ -1,4 +1,4 @@
-// What has to hold after each call.
+// Conditions that hold after each call.
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/fuzz/random/random.h"
-#include "tests/fuzz/random/random_shape.h"
+#include "tests/fuzz/random/random_settings.h"
 
 namespace weft::fuzz {
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <type_traits>
 #include <variant>
 
@@ -83,157 +84,107 @@ static std::string text_of(const Mesh& mesh) {
            (mesh.rows > 0 ? ", " + std::to_string(mesh.rows) + " x " + std::to_string(mesh.columns) : "");
 }
 
-static std::string text_of(const std::vector<std::uint32_t>& vertices) {
-    std::string text = std::to_string(vertices.size()) + " vertices:";
-    for (std::size_t i = 0; i < vertices.size() && i < 8; ++i)
-        text.append(" ").append(std::to_string(vertices[i]));
-    return vertices.size() > 8 ? text + " ..." : text;
+static std::string text_of(const OwnedShape& shape) {
+    return "kind " + text_of(shape.kind) + ", " + text_of(shape.vertices.size()) + " vertices, " +
+           text_of(shape.triangles.size()) + " triangles";
+}
+static std::string text_of(const MeshCut& cut) {
+    return text_of(cut.added_particles) + " particles more";
+}
+/// "3: 7 8 9", at most eight of them.
+template <class T>
+static std::string text_of(const std::vector<T>& all) {
+    std::string text = text_of(all.size()) + ":";
+    for (std::size_t i = 0; i < all.size() && i < 8; ++i) text.append(" ").append(text_of(all[i]));
+    return all.size() > 8 ? text + " ..." : text;
 }
 
-static std::string text_of(const AddCloth& call) {
-    return "add_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) +
-           (call.cooked ? "; cooked, put to " + text_of(call.place) : "") + ")";
-}
-static std::string text_of(const MeasureCloth& call) {
-    return "measure_cloth(" + text_of(call.mesh) + "; " + text_of(call.settings) + ")";
-}
-static std::string text_of(const RemoveCloth&) {
-    return "remove_cloth()";
-}
-static std::string text_of(const SetClothSettings& call) {
-    return "set_cloth_settings(" + text_of(call.settings) + ")";
-}
-static std::string text_of(const Pin& call) {
-    return "pin(" + text_of(call.vertices) + ")";
-}
-static std::string text_of(const MovePin& call) {
-    return "move_pin(" + text_of(call.vertex) + ", " + text_of(call.target) + ")";
-}
-static std::string text_of(const Unpin& call) {
-    return "unpin(" + text_of(call.vertices) + ")";
-}
-static std::string text_of(const AddCollider& call) {
-    return "add_collider(" + text_of(call.collider) + ")";
-}
-static std::string text_of(const MoveCollider& call) {
-    return "move_collider(" + text_of(call.collider) + ", " + text_of(call.target) + ")";
-}
-static std::string text_of(const RemoveCollider& call) {
-    return "remove_collider(" + text_of(call.collider) + ")";
-}
-static std::string text_of(const AddBody& call) {
-    return "add_body(" + text_of(call.settings) + "; " + text_of(call.state) + ")";
-}
-static std::string text_of(const SetBody& call) {
-    return "set_body(" + std::to_string(call.body) + ", " + text_of(call.settings) + "; " +
-           text_of(call.state) + ")";
-}
-static std::string text_of(const RemoveBody& call) {
-    return "remove_body(" + std::to_string(call.body) + ")";
-}
-static std::string text_of(const AttachCollider& call) {
-    return "attach_collider(" + std::to_string(call.body) + ", " + std::to_string(call.collider) + ")";
-}
-static std::string text_of(const DetachCollider& call) {
-    return "detach_collider(" + std::to_string(call.collider) + ")";
-}
-static std::string text_of(const Attach& call) {
-    return "attach(" + std::to_string(call.body) + ", " + text_of(call.vertices) + ")";
-}
-static std::string text_of(const Detach& call) {
-    return "detach(" + text_of(call.vertices) + ")";
-}
-static std::string text_of(const Stitch& call) {
-    return "stitch(" + text_of(call.vertices) + ", cloth " + text_of(call.other) + ", " +
-           text_of(call.others) + ", " + text_of(call.settings) + ")";
-}
-static std::string text_of(const Unstitch& call) {
-    return "unstitch(seam " + text_of(call.seam) + ")";
-}
-static std::string text_of(const SetWorldSettings& call) {
-    return "set_settings(" + text_of(call.settings) + ")";
-}
-static std::string text_of(const Step& call) {
-    return "step(" + text_of(call.dt) + (call.apart ? ") in three" : ")");
-}
-static std::string text_of(const PlaceCollider& call) {
-    return "place_collider(" + text_of(call.collider) + ", " + text_of(call.place) + ")";
-}
-static std::string text_of(const StartTrace& call) {
-    return "start_trace(" + text_of(call.max_events) + ")";
-}
-static std::string text_of(const MoveWorld&) {
-    return "the World is moved from and back";
-}
-static std::string text_of(const MovePins& call) {
-    return "move_pins(" + text_of(call.vertices) + ")";
-}
-static std::string text_of(const AddShape& call) {
-    return "add_shape(kind " + std::to_string(static_cast<int>(call.shape.kind)) + ", " +
-           std::to_string(call.shape.vertices.size()) + " vertices, " +
-           std::to_string(call.shape.triangles.size()) + " triangles)";
-}
-static std::string text_of(const DeformShape& call) {
-    return "deform_shape(" + text_of(call.shape) + ", " + std::to_string(call.vertices.size()) + " vertices)";
-}
-static std::string text_of(const RemoveShape& call) {
-    return "remove_shape(" + text_of(call.shape) + ")";
-}
-static std::string text_of(const Save&) {
-    return "save()";
-}
-static std::string text_of(const Restore& call) {
-    return "restore(save " + text_of(call.save) + (call.damaged ? ", damaged)" : ")");
+/// The calls by name, in the order of Operation::call.
+constexpr const char* names[] = {"add_cloth",
+                                 "measure_cloth",
+                                 "remove_cloth",
+                                 "set_cloth_settings",
+                                 "pin",
+                                 "move_pin",
+                                 "unpin",
+                                 "add_collider",
+                                 "move_collider",
+                                 "place_collider",
+                                 "remove_collider",
+                                 "add_body",
+                                 "set_body",
+                                 "remove_body",
+                                 "attach_collider",
+                                 "attach",
+                                 "detach",
+                                 "set_settings",
+                                 "step",
+                                 "start_trace",
+                                 "move the World",
+                                 "move_cloth",
+                                 "reset_cloth",
+                                 "set_frame",
+                                 "leave_frame",
+                                 "set_map",
+                                 "set_skin",
+                                 "shift_origin",
+                                 "move_pins",
+                                 "add_shape",
+                                 "deform_shape",
+                                 "remove_shape",
+                                 "save",
+                                 "restore",
+                                 "recut_cloth",
+                                 "set_enabled",
+                                 "wake",
+                                 "set_importance",
+                                 "detach_collider",
+                                 "ask",
+                                 "stitch",
+                                 "unstitch",
+                                 "save_cloth",
+                                 "restore_cloth"};
+static_assert(std::size(names) == std::variant_size_v<decltype(Operation::call)>);
+
+template <class... Fields>
+static std::string joined(const Fields&... fields) {
+    std::string text;
+    (text.append(text.empty() ? "" : "; ").append(text_of(fields)), ...);
+    return text;
 }
 
-static std::string text_of(const SaveCloth&) {
-    return "save_cloth()";
-}
-static std::string text_of(const RestoreCloth& call) {
-    return "restore_cloth(save " + text_of(call.save) + " of a cloth)";
-}
-
-static std::string text_of(const MoveCloth& call) {
-    return "move_cloth(" + text_of(call.by) + ")";
-}
-static std::string text_of(const ResetCloth& call) {
-    if (call.velocities.empty()) return "reset_cloth(" + text_of(call.positions.front()) + " ...)";
-    return "resume_cloth(" + text_of(call.positions.front()) + " ..., at " +
-           text_of(call.velocities.front()) + " m/s)";
-}
-static std::string text_of(const SetFrame& call) {
-    return "set_frame(" + text_of(call.pose) + ")";
-}
-static std::string text_of(const LeaveFrame&) {
-    return "leave_frame()";
-}
-static std::string text_of(const Recut& call) {
-    return "recut_cloth(" + std::to_string(call.cut.added_particles) + " particles more)";
-}
-static std::string text_of(const SetEnabled& call) {
-    return call.on ? "set_enabled(true)" : "set_enabled(false)";
-}
-static std::string text_of(const Wake&) {
-    return "wake()";
-}
-static std::string text_of(const SetImportance& call) {
-    return "set_importance(" + text_of(call.importance) + ")";
-}
-static std::string text_of(const Ask&) {
-    return "all that can be asked";
-}
-static std::string text_of(const SetMap& call) {
-    return "set_map(" + text_of(call.map) + ", " + std::to_string(call.values.size()) + " values)";
-}
-static std::string text_of(const SetSkin& call) {
-    return "set_skin(" + text_of(call.places.front()) + " ...)";
-}
-static std::string text_of(const ShiftOrigin& call) {
-    return "shift_origin(" + text_of(call.to) + ")";
+/// Initialises any field.
+struct Anything {
+    template <class T>
+    operator T() const;
+};
+/// The call's arguments: the fields of its struct.
+template <class Call>
+static std::string arguments_of(const Call& call) {
+    using Any = Anything;
+    if constexpr (requires { Call{Any{}, Any{}, Any{}, Any{}, Any{}}; }) {
+        const auto& [a, b, c, d, e] = call;
+        return joined(a, b, c, d, e);
+    } else if constexpr (requires { Call{Any{}, Any{}, Any{}, Any{}}; }) {
+        const auto& [a, b, c, d] = call;
+        return joined(a, b, c, d);
+    } else if constexpr (requires { Call{Any{}, Any{}, Any{}}; }) {
+        const auto& [a, b, c] = call;
+        return joined(a, b, c);
+    } else if constexpr (requires { Call{Any{}, Any{}}; }) {
+        const auto& [a, b] = call;
+        return joined(a, b);
+    } else if constexpr (!std::is_empty_v<Call>) {
+        const auto& [a] = call;
+        return joined(a);
+    } else {
+        return "";
+    }
 }
 
 std::string text_of(const Operation& operation) {
-    std::string text = std::visit([](const auto& call) { return text_of(call); }, operation.call);
+    std::string text = names[operation.call.index()];
+    text += '(' + std::visit([](const auto& call) { return arguments_of(call); }, operation.call) + ')';
     if (operation.cloth != Operation::no_cloth)
         text = "cloth " + std::to_string(operation.cloth) + ": " + text;
     if (operation.answer == Answer::refused) text += "  (to be refused)";
@@ -244,6 +195,35 @@ std::string text_of(const Script& script) {
     std::string text = "World::create(" + text_of(script.world) + ")\n";
     for (std::size_t i = 0; i < script.operations.size(); ++i)
         text += std::to_string(i) + "  " + text_of(script.operations[i]) + '\n';
+    return text;
+}
+
+std::uint64_t fingerprint(std::span<const Vec4> values, std::uint64_t hash) {
+    constexpr std::uint64_t prime = 0x100000001b3u;  // FNV-1a, eight bytes at a time
+    for (const Vec4& value : values) {
+        std::uint64_t words[2];
+        std::memcpy(words, &value, sizeof words);
+        for (const std::uint64_t word : words) hash = (hash ^ word) * prime;
+    }
+    return hash;
+}
+
+std::string snapshot(const World& world, std::span<const ClothId> cloths,
+                     std::span<const ColliderId> colliders) {
+    std::string text = text_of(world.settings()) + "\nhash " + std::to_string(world.state_hash()) +
+                       "\nstep " + std::to_string(world.report().step) + '\n';
+    for (const ClothId id : cloths) {
+        const auto found = world.cloth(id);
+        if (!found) continue;
+        std::uint64_t hash = 0;
+        for (const auto& buffer :
+             {found->positions, found->previous_positions, found->velocities, found->normals})
+            hash = fingerprint(buffer, hash);
+        text += text_of(world.cloth_settings(id).value()) + '\n' + text_of(world.cloth_info(id).value()) +
+                '\n' + std::to_string(hash) + '\n';
+    }
+    for (const ColliderId id : colliders)
+        if (const auto found = world.collider(id)) text += text_of(*found) + '\n';
     return text;
 }
 

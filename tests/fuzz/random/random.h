@@ -52,7 +52,7 @@ class Random {
     std::uint64_t state_;
 };
 
-/// What a call is expected to answer.
+/// The expected answer of a call.
 enum class Answer {
     accepted,
     refused,

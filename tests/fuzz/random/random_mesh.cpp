@@ -1,4 +1,4 @@
-#include "tests/fuzz/random/random_mesh.h"
+#include "tests/fuzz/random/random_settings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +121,7 @@ Mesh random_bag(Random& random) {
     return bag;
 }
 
-/// What a mesh may have and still be a cloth: often it is, and where it is not, the error says so.
+/// Adds oddities with which a mesh may still be cloth; where it is not, the error says so.
 void make_odd(Random& random, Mesh& mesh) {
     const auto vertex = [&] { return random.below(mesh.positions.size()); };
     const auto triangle = [&]() -> Triangle& { return mesh.triangles[random.below(mesh.triangles.size())]; };
@@ -176,7 +176,7 @@ void make_odd(Random& random, Mesh& mesh) {
     }
 }
 
-/// What no cloth can be made of.
+/// Adds a fault that no cloth may have.
 void spoil(Random& random, Mesh& mesh) {
     Vec3& p = mesh.positions[random.below(mesh.positions.size())];
     switch (random.below(7)) {

@@ -126,7 +126,7 @@ Drawn<Collider> finished(Random& random, Collider collider, bool extreme) {
     return {collider, Answer::refused};
 }
 
-/// What it is besides its shape and its friction: mostly nothing.
+/// Draws the collider's fields besides shape and friction; most keep their defaults.
 void draw_surface(Random& random, Fields& fields, Collider& collider) {
     if (random.chance(0.3)) collider.thickness = std::min(fields.zero_or_more(1e-3f, 0.1f), 10.0f);
     if (random.chance(0.3)) collider.restitution = random.between(0, 1);
@@ -407,7 +407,7 @@ Drawn<Collider> random_move(Random& random, const Collider& from) {
         Fields fields(random, false);
         draw_surface(random, fields, to);
     }
-    // It may have been out of all reason before.
+    // The collider may have been extreme before its move.
     Drawn<Collider> drawn = finished(random, to, true);
     return drawn;
 }

@@ -1,9 +1,38 @@
 #pragma once
-// Settings, each field within its documented range, with a bias to the ends; now and then beyond it.
+// Shapes that a World is to hold: meshes, open and closed, hulls, ground, distance fields, and broken ones.
+
+#include <array>
+#include <vector>
 
 #include "tests/fuzz/random/random.h"
 
 namespace weft::fuzz {
+
+/// A shape that owns what its spans show.
+struct OwnedShape {
+    enum class Kind { mesh, hull, ground, distances };
+    Kind kind = Kind::mesh;
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    bool closed = true;
+    std::uint32_t rows = 0, columns = 0;
+    std::vector<float> heights;
+    float size = 0.1f;  ///< of ground's and of distances' cells [m]
+
+    [[nodiscard]] Shape shape() const;
+};
+
+/// At most some 300 triangles, within a metre.
+[[nodiscard]] Drawn<OwnedShape> random_shape(Random& random);
+/// As many vertices, moved a little; or another number of them, or some that are not finite.
+[[nodiscard]] Drawn<std::vector<Vec3>> random_deformation(Random& random, const OwnedShape& shape);
+
+// Meshes of all kinds: sheets, general meshes, several components, patterns with seams, and broken ones.
+
+/// At most some 1700 vertices, within a few metres of the origin.
+[[nodiscard]] Drawn<Mesh> random_mesh(Random& random);
+
+// Settings, each field within its documented range, with a bias to the ends; now and then beyond it.
 
 /// Passes over the particles that a step of the cloth takes with these settings, about.
 [[nodiscard]] std::uint64_t passes_of(const ClothSettings& settings);
@@ -21,7 +50,7 @@ namespace weft::fuzz {
 
 /// A rotation and a way, now and then a long one; or what is neither.
 [[nodiscard]] Drawn<Transform> random_transform(Random& random);
-/// Of those that a cloth may refuse for other maps and settings that it has: either.
+/// A map; `either` for those that a cloth may refuse because of its other maps and settings.
 [[nodiscard]] Drawn<Map> random_map(Random& random);
 [[nodiscard]] float map_value(Random& random, Map map);
 

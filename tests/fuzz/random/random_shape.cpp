@@ -1,4 +1,4 @@
-#include "tests/fuzz/random/random_shape.h"
+#include "tests/fuzz/random/random_settings.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-// What the library reads.
+// The library's readers of files.
 
 #include <cstddef>
 #include <cstring>
@@ -11,7 +11,6 @@
 #include "tests/fuzz/readers/mutation.h"
 #include "tests/fuzz/readers/reader.h"
 #include "tests/fuzz/recording.h"
-#include "tests/fuzz/recording_seal.h"
 
 namespace weft::fuzz {
 

@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view blanks = " \t\r\n";
 
-/// What a number may be where somebody meant harm, or their exporter failed.
+/// Numbers of a malicious file, or of a failed exporter.
 std::string odd_word(Random& random) {
     static constexpr std::string_view words[] = {"nan",
                                                  "inf",
@@ -150,7 +150,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// One word of the text for another.
+/// Replaces one word of the text by another.
 void change_word(Random& random, std::string& text) {
     const std::size_t begin = text.find_first_not_of(blanks, random.below(text.size()));
     if (begin == text.npos) return;
