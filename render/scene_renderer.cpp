@@ -9,12 +9,10 @@
 #include "render/gl/gl_state.h"
 #include "render/gl/programs.h"
 #include "render/gl/render_targets.h"
-#include "render/meshes/box_mesh.h"
-#include "render/meshes/capsule_mesh.h"
 #include "render/meshes/cloth_mesh.h"
-#include "render/meshes/line_mesh.h"
+#include "render/meshes/solid_meshes.h"
 #include "render/pass_times.h"
-#include "render/view/light_frame.h"
+#include "render/view/matrices.h"
 
 namespace weft::render {
 

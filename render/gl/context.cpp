@@ -1,18 +1,62 @@
-#include "weft/render/context.h"
-
 #include <glad/gl.h>
-#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/error_text.h"
-#include "render/gl/complaints.h"
 #include "render/gl/offscreen_egl.h"
+#include "weft/render/context.h"
+
+#define GLFW_INCLUDE_NONE
 
 namespace weft::render {
 
 namespace {
+
+/// Collects the debug messages of the current context. This object must outlive the context, whose driver
+/// calls it.
+class Complaints {
+  public:
+    /// Collects nothing where the driver lacks the extension. Precondition: the context is current, and its
+    /// functions are loaded.
+    Complaints();
+    Complaints(const Complaints&) = delete;
+    Complaints& operator=(const Complaints&) = delete;
+
+    /// The messages since the last call, each once.
+    [[nodiscard]] std::vector<std::string> take();
+    void add(const std::string& message);
+
+  private:
+    std::vector<std::string> heard_;
+};
+
+// Performance messages are skipped: they report no errors (NVIDIA's: a shader was compiled once more).
+void GLAD_API_PTR hear(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity, GLsizei /*length*/,
+                       const GLchar* message, const void* to) {
+    if (type == GL_DEBUG_TYPE_PERFORMANCE) return;
+    if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
+    static_cast<Complaints*>(const_cast<void*>(to))->add(message);
+}
+
+Complaints::Complaints() {
+    if (GLAD_GL_KHR_debug == 0) return;
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // messages arrive within the call at fault
+    glDebugMessageCallback(hear, this);
+}
+
+std::vector<std::string> Complaints::take() {
+    return std::exchange(heard_, {});
+}
+
+void Complaints::add(const std::string& message) {
+    if (std::ranges::find(heard_, message) == heard_.end()) heard_.push_back(message);
+}
 
 Error glfw_error(const std::string& what) {
     const char* reason = nullptr;

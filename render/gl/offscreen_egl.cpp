@@ -21,7 +21,7 @@ struct Platform {
     EGLDisplay display;
 };
 
-/// Whether `list`, names separated by blanks or null, holds `name`.
+/// True if `list`, names separated by blanks or null, holds `name`.
 bool has_extension(const char* list, std::string_view name) {
     std::istringstream words(list != nullptr ? list : "");
     return std::find(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>(), name) !=

@@ -2,7 +2,7 @@
 // A cloth on the graphics card: its triangles, and its particles as the simulation keeps them.
 
 #include "render/gl/gl.h"
-#include "render/view/light_frame.h"
+#include "render/view/matrices.h"
 #include "weft/render/scene_renderer.h"
 
 namespace weft::render {

@@ -18,7 +18,7 @@ float tap_radius(int i, float count) { return sqrt((float(i) + 0.5) / count); }
 
 const float nothing = 0.99999;  // greater depths are empty texels; the ground may lie deeper than the map
 
-// Whether p lies in the map or within `reach` of it.
+// True if p lies in the map or within `reach` of it.
 bool near_map(vec2 p, float reach) { return all(greaterThan(p, vec2(-reach))) && all(lessThan(p, vec2(1.0 + reach))); }
 
 // Average over the 2 x 2 pixels that are shaded together, whose angles differ: four times as many taps at no cost.

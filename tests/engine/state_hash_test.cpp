@@ -27,7 +27,7 @@ std::vector<std::uint8_t> counting_bytes(std::size_t size) {
     return bytes;
 }
 
-// What is hashed of a call: the number of values, the size of one, their bytes.
+// A call hashes the number of values, the size of one, and their bytes.
 TEST(StateHash, OfValuesIsTheHashOfTheirNumberSizeAndBytes) {
     for (const std::size_t size : {0u, 1u, 3u, 16u, 255u, 1000u, 4999u}) {
         const auto bytes = counting_bytes(size);

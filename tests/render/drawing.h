@@ -1,5 +1,5 @@
 #pragma once
-// What the tests that draw share: a context, simple sheets, and questions to pictures.
+// Shared by the tests that draw: a context, simple sheets, and questions to pictures.
 
 #include <gtest/gtest.h>
 

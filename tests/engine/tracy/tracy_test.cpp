@@ -1,4 +1,4 @@
-// What the Tracy profiler would be told. The library's profiler is compiled here once more, with WEFT_TRACY,
+// The calls that the Tracy profiler would receive. The library's profiler is compiled here once more, with WEFT_TRACY,
 // against a stand-in for Tracy's header that writes down the calls.
 
 #include <gtest/gtest.h>

@@ -127,7 +127,7 @@ class StoredPictures : public Drawing {
 TEST_F(StoredPictures, OfFolds) {
     set_stage({});
     expect_as_stored("folds");
-    // What is noticed.
+    // Differences that the measure notices.
     const View good = view_;
     view_.sun_direction.x = -view_.sun_direction.x;
     expect_noticed("folds", "the sun from the other side");

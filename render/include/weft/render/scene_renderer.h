@@ -154,7 +154,7 @@ class SceneRenderer {
     /// Precondition: width and height are from 1 to 16384.
     [[nodiscard]] Image capture(const View& view, int width, int height,
                                 const std::function<void()>& overlay = nullptr);
-    /// Whether a processor draws, and not a graphics card.
+    /// True if a processor draws, and not a graphics card.
     [[nodiscard]] bool drawn_by_processor() const;
     /// Waits until the driver has finished all drawing.
     void wait() const;
