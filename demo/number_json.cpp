@@ -7,8 +7,6 @@
 #include <cstdlib>
 #include <variant>
 
-#include "demo/json_text.h"
-
 namespace weft::demo {
 
 namespace {

@@ -32,6 +32,10 @@ struct SceneOptions {
     /// About how many particles a proxy (weft/proxy.h) of the scene garment has, over which the garment's own
     /// mesh is drawn; 0: the mesh itself is simulated.
     std::uint32_t simulated = 0;
+
+    [[nodiscard]] std::uint32_t particles_or(std::uint32_t usual) const {
+        return particles == 0 ? usual : particles;
+    }
 };
 
 /// A cloth of the scene, with its data for drawing.
@@ -83,7 +87,8 @@ class Scene {
 
     /// Wind, substeps and gravity that the scene starts with; threads and executor are the program's.
     [[nodiscard]] virtual WorldSettings world_settings() const { return {}; }
-    /// Adds cloths, pins and colliders to an empty world. Error: why something could not be built.
+    /// Adds cloths, pins and colliders to an empty world. Error, or Refusal: why something could not be
+    /// built.
     [[nodiscard]] virtual Result<SceneContent> build(World& world, const SceneOptions& options) = 0;
     /// Moves pins and colliders before the step from `time` to `time + dt` [s].
     virtual void before_step(World& world, double time, float dt);

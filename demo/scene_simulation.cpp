@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "demo/must.h"
 #include "demo/options/method_table.h"
 
 namespace weft::demo {
@@ -104,9 +105,11 @@ void Simulation::weave(const render::FabricLook& look) {
 }
 
 Result<void> Simulation::build() {
-    auto content = scene_->build(world_, options_);
-    if (!content) return content.error();
-    content_ = std::move(*content);
+    try {
+        content_ = must(scene_->build(world_, options_));
+    } catch (const Refusal& refusal) {
+        return refusal.error;
+    }
     time_ = 0;
     return {};
 }

@@ -13,14 +13,14 @@ namespace weft::demo {
 
 /// Settings of a run, in place of the scene's own.
 struct Overrides {
-    std::optional<Vec3> wind;  ///< [m/s]
-    std::optional<Method> method;
-    std::optional<Fabric> fabric;
-    std::optional<int> iterations;  ///< of the method, whichever it is
-    std::optional<int> substeps;
-    std::optional<SelfCollisionMethod> contact;
-    int threads = 0;               ///< 0: one per core
-    std::filesystem::path record;  ///< file for a recording of the World's calls; empty: none
+    std::optional<Vec3> wind{};  ///< [m/s]
+    std::optional<Method> method{};
+    std::optional<Fabric> fabric{};
+    std::optional<int> iterations{};  ///< of the method, whichever it is
+    std::optional<int> substeps{};
+    std::optional<SelfCollisionMethod> contact{};
+    int threads = 0;                 ///< 0: one per core
+    std::filesystem::path record{};  ///< file for a recording of the World's calls; empty: none
 };
 
 class Simulation {

@@ -7,11 +7,9 @@
 #include "demo/character/garment/garment_file.h"
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/gltf_file.h"
-#include "demo/character/garment/gltf_mesh.h"
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/live_motion.h"
-#include "demo/character/motion/recorded_motion.h"
-#include "demo/export/write_back.h"
+#include "demo/character/motion/motion.h"
 
 namespace weft::demo {
 namespace {
@@ -267,13 +265,6 @@ Result<void> Character::teleport(World& world, const Transform& by) {
         if (auto placed = world.place_collider(colliders_[limb], {.shape = now_.capsules[limb]}); !placed)
             return placed;
     return {};
-}
-
-void Character::write_back(const World& world, std::span<Vec3> vertices) const {
-    const auto view = world.cloth(cloth_);
-    if (!view) return;
-    for (std::size_t i = 0; i < garment_.fixed.size(); ++i) vertices[garment_.fixed[i]] = targets_[i];
-    demo::write_back(*view, vertices);
 }
 
 }  // namespace weft::demo

@@ -52,10 +52,6 @@ class Character {
     /// relative to the body. Error: the World's. If the cloth cannot be moved, nothing is.
     [[nodiscard]] Result<void> teleport(World& world, const Transform& by);
 
-    /// Writes the garment's vertices for pictures and files: simulated ones from the World, fixed ones at
-    /// their targets on the body. Precondition: one element for each vertex of the garment's mesh.
-    void write_back(const World& world, std::span<Vec3> vertices) const;
-
     [[nodiscard]] ClothId cloth() const { return cloth_; }
     [[nodiscard]] const Garment& garment() const { return garment_; }
     [[nodiscard]] const std::vector<ColliderId>& colliders() const { return colliders_; }

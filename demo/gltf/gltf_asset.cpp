@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "cloth/mesh/mesh_limits.h"
+#include "demo/gltf/gltf_buffers.h"
 #include "demo/gltf/gltf_data.h"
-#include "demo/gltf/gltf_draco.h"
 #include "demo/gltf/gltf_fields.h"
 #include "weft/gltf.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "demo/gltf/gltf_fields.h"
+#include "demo/gltf/gltf_model.h"
 #include "weft/error.h"
 
 namespace weft {
@@ -30,5 +31,13 @@ struct GltfContainer {
 [[nodiscard]] Result<std::vector<GltfBytes>> load_buffers(const GltfFields& file,
                                                           const std::filesystem::path& folder,
                                                           std::optional<std::string_view> binary);
+
+/// Is true if Weft was built with Draco.
+extern const bool has_draco;
+
+/// Decodes compressed primitives: their data become buffers, views and accessors like any others. Without
+/// Draco they keep their uncompressed data, if they have any. What cannot be decoded becomes the primitive's
+/// fault: also data that is compressed only, without Draco. Error: all decoded data are more than 2 GiB.
+[[nodiscard]] Result<void> decode_draco(GltfModel& model);
 
 }  // namespace weft

@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "demo/json_text.h"
+#include "demo/number_json.h"
 
 namespace weft {
 namespace {

@@ -8,9 +8,8 @@
 #include <string_view>
 
 #include "demo/gltf/gltf_buffers.h"
-#include "demo/gltf/gltf_draco.h"
 #include "demo/gltf/gltf_fields.h"
-#include "demo/json_text.h"
+#include "demo/number_json.h"
 
 namespace weft {
 namespace {

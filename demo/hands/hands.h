@@ -4,9 +4,7 @@
 #include <string>
 
 #include "demo/hands/air/hand_air.h"
-#include "demo/hands/air/streaks.h"
 #include "demo/hands/air/wind_arrow.h"
-#include "demo/hands/balls.h"
 #include "demo/hands/held_collider.h"
 #include "demo/window/interaction.h"
 #include "demo/window/wind_control.h"

@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "demo/hands/project.h"
-#include "demo/panels/column.h"
 #include "demo/panels/widgets.h"
 #include "engine/vector.h"
 

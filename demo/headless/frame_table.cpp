@@ -1,9 +1,12 @@
 #include "demo/headless/frame_table.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <utility>
 
 namespace weft::demo {
 
@@ -57,11 +60,28 @@ std::string FrameTable::summary() const {
     return text;
 }
 
-float percentile(std::vector<float> sample, double p) {
-    const double rank = std::ceil(p * static_cast<double>(sample.size()));
-    const auto nth = sample.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
-    std::ranges::nth_element(sample, nth);
-    return *nth;
+using namespace std::chrono_literals;
+
+Progress::Progress(std::string what, int total)
+    : what_(std::move(what)),
+      total_(total),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(Clock::now()),
+      last_(start_) {}
+
+Progress::~Progress() {
+    if (line_open_) std::fputc('\n', stderr);
+}
+
+void Progress::update(int done) {
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < (terminal_ ? 100ms : 5000ms)) return;
+    last_ = now;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double left = seconds / done * (total_ - done);
+    std::fprintf(stderr, "%s%s: %d of %d, %.0f s left%s", terminal_ ? "\r" : "", what_.c_str(), done, total_,
+                 left, terminal_ ? "   " : "\n");
+    line_open_ = terminal_;
 }
 
 }  // namespace weft::demo

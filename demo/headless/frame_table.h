@@ -1,6 +1,9 @@
 #pragma once
 // Times and counts of every frame of a run.
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -36,6 +39,32 @@ class FrameTable {
 
 /// The value that a share `p` of the sample does not exceed (nearest rank). Precondition: 0 < p <= 1, not
 /// empty.
-[[nodiscard]] float percentile(std::vector<float> sample, double p);
+template <class Number>
+[[nodiscard]] Number percentile(std::vector<Number> sample, double p) {
+    const double rank = std::ceil(p * static_cast<double>(sample.size()));
+    const auto nth = sample.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
+    std::ranges::nth_element(sample, nth);
+    return *nth;
+}
+
+/// On a terminal one line that is rewritten ten times a second; elsewhere a new line every five seconds. Runs
+/// shorter than that print nothing.
+class Progress {
+  public:
+    Progress(std::string what, int total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void update(int done);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::string what_;
+    int total_;
+    bool terminal_;
+    bool line_open_ = false;
+    Clock::time_point start_, last_;
+};
 
 }  // namespace weft::demo

@@ -1,8 +1,17 @@
 #pragma once
 // A run without a window: a fixed number of steps, then pictures, tables and a hash.
 
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "demo/headless/picture.h"
 #include "demo/options/options.h"
+#include "demo/panels/panels.h"
 #include "demo/scene_simulation.h"
+#include "weft/render/context.h"
+#include "weft/render/imgui_layer.h"
 
 namespace weft::demo {
 
@@ -10,5 +19,36 @@ namespace weft::demo {
 /// the stages' percentiles and the state hash. Returns the program's exit status: 2 for a folder that cannot
 /// be used, 1 where something could not be drawn or written; the rest is done all the same.
 [[nodiscard]] int run_headless(const Options& options, Simulation& simulation);
+
+/// Takes pictures of a Simulation without a window.
+class Photographer {
+  public:
+    /// Draws offscreen, or with the context of a window where that fails. Error: what both lack.
+    [[nodiscard]] static Result<Photographer> create(const Options& options, const Simulation& simulation);
+
+    /// The driver's debug messages since the last call, with Options::check_gl.
+    [[nodiscard]] std::vector<std::string> take_complaints() { return context_.take_complaints(); }
+
+    /// Records the step that was just taken, for the panels.
+    void record(const Simulation& simulation);
+    /// Writes a PNG of the simulation as it is now.
+    [[nodiscard]] Result<void> shoot(Simulation& simulation, const std::filesystem::path& file);
+
+  private:
+    struct PanelsInPicture {
+        render::ImGuiLayer layer;
+        Panels panels;
+    };
+
+    Photographer(render::Context context, Picture picture, int width, int height);
+    void build_panels(Simulation& simulation);
+
+    // Destroyed from the last to the first: OpenGL's objects before its context.
+    render::Context context_;
+    Picture picture_;
+    std::unique_ptr<PanelsInPicture> panels_;  // null: no panels are drawn
+    int width_, height_;
+    float turn_ = 0;  // angle of the camera from the scene's own [rad]
+};
 
 }  // namespace weft::demo

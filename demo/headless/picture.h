@@ -4,8 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "demo/look/beside.h"
-#include "demo/look/collider_motion.h"
 #include "demo/look/drawn_solid.h"
 #include "demo/look/inside.h"
 #include "demo/look/quality_choice.h"
@@ -69,7 +67,7 @@ class Picture {
     InsideDrawing drawing_;
     std::vector<Vec4> colours_;  // colours of a cloth's particles
     render::Quality quality_;
-    /// Whether meshes are rounded. Two compared simulations are drawn as they are.
+    /// True if meshes are rounded. Two compared simulations are drawn as they are.
     [[nodiscard]] bool rounds() const { return rounded_ && other_ == nullptr; }
     bool rounded_ = true, shown_rounded_ = true;
     std::vector<render::DrawnSphere> spheres_;

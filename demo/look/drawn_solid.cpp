@@ -1,9 +1,12 @@
 #include "demo/look/drawn_solid.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
+#include "demo/look/inside.h"
 #include "demo/scenes/solids.h"
+#include "engine/vector.h"
 
 namespace weft::demo {
 
@@ -43,6 +46,120 @@ void DrawnSolid::update(const SceneSolid& solid, std::uint64_t step, render::Sce
                                     .previous_positions = previous,
                                     .normals = vertex_normals(mesh_),
                                     .colours = solid.tints});
+}
+
+namespace {
+
+constexpr float jump = 1;  // a longer way in a step was none [m]
+
+float between(float a, float b, float share) {
+    return a + share * (b - a);
+}
+Vec3 between(const Vec3& a, const Vec3& b, float share) {
+    const Vector3 way = to_vector(b) - to_vector(a);
+    return way.norm() > jump ? b : to_vec3(to_vector(a) + share * way);
+}
+Rotation between(const Rotation& a, const Rotation& b, float share) {
+    const Eigen::Quaternionf from(a.w, a.x, a.y, a.z), to(b.w, b.x, b.y, b.z);
+    const Eigen::Quaternionf mean = from.normalized().slerp(share, to.normalized());
+    return {mean.x(), mean.y(), mean.z(), mean.w()};
+}
+
+Sphere between(const Sphere& a, const Sphere& b, float share) {
+    return {between(a.center, b.center, share), between(a.radius, b.radius, share)};
+}
+Capsule between(const Capsule& a, const Capsule& b, float share) {
+    return {between(a.a, b.a, share), between(a.b, b.b, share), between(a.radius, b.radius, share)};
+}
+TaperedCapsule between(const TaperedCapsule& a, const TaperedCapsule& b, float share) {
+    return {between(a.a, b.a, share), between(a.b, b.b, share), between(a.radius_a, b.radius_a, share),
+            between(a.radius_b, b.radius_b, share)};
+}
+Box between(const Box& a, const Box& b, float share) {
+    return {between(a.center, b.center, share), between(a.rotation, b.rotation, share),
+            between(a.half_extents, b.half_extents, share)};
+}
+
+}  // namespace
+
+void ColliderMotion::note(ColliderId id, const Collider& collider, std::uint64_t step) {
+    const auto [found, is_new] = motions_.try_emplace(key(id), Motion{collider, collider, step});
+    Motion& motion = found->second;
+    if (is_new || motion.step == step) {
+        motion.now = collider;  // hands may have changed it
+        return;
+    }
+    // Several steps since the last picture share the way out evenly.
+    const bool follows = step > motion.step;
+    const float share = follows ? 1 - 1 / static_cast<float>(step - motion.step) : 1;
+    const Collider last = motion.now;
+    motion = {last, collider, step};
+    motion.before = at(id, share);
+}
+
+Collider ColliderMotion::at(ColliderId id, float share) const {
+    const Motion& motion = motions_.at(key(id));
+    Collider collider = motion.now;
+    std::visit(
+        [&](auto& shape) {
+            using Shape = std::remove_reference_t<decltype(shape)>;
+            const auto* before = std::get_if<Shape>(&motion.before.shape);
+            if constexpr (requires { between(shape, shape, share); })
+                if (before != nullptr) shape = between(*before, shape, share);
+        },
+        collider.shape);
+    return collider;
+}
+
+void Beside::begin(const Simulation& other, const Simulation& first, render::SceneRenderer& renderer) {
+    Bounds box{{1e9f, 0, 0}, {-1e9f, 0, 0}};
+    for (const SceneCloth& cloth : first.content().cloths) {
+        const auto view = first.world().cloth(cloth.id);
+        if (!view) continue;
+        box.lower.x = std::min(box.lower.x, view->bounds.lower.x);
+        box.upper.x = std::max(box.upper.x, view->bounds.upper.x);
+    }
+    constexpr float gap = 0.4f;  // [m]
+    offset_ = {std::max(box.upper.x - box.lower.x, 0.0f) + gap, 0, 0};
+    for (const SceneCloth& cloth : other.content().cloths) {
+        const auto view = other.world().cloth(cloth.id);
+        const std::vector<Vec2>& texcoords =
+            cloth.mesh.texcoords.empty() ? cloth.mesh.pattern : cloth.mesh.texcoords;
+        cloths_.push_back(renderer.add_cloth({.triangles = cloth.mesh.triangles,
+                                              .vertex_to_particle = view->vertex_to_particle,
+                                              .texcoords = texcoords,
+                                              .look = cloth.look}));
+    }
+    for (const SceneSolid& solid : other.content().solids) solids_.emplace_back(solid, offset_, renderer);
+}
+
+std::span<const Vec4> Beside::moved(std::span<const Vec4> positions, std::vector<Vec4>& to) const {
+    to.assign(positions.begin(), positions.end());
+    for (Vec4& p : to) p.x += offset_.x;
+    return to;
+}
+
+void Beside::show(const Simulation* other, const Simulation& first, render::SceneRenderer& renderer) {
+    if (other == nullptr) {
+        for (const render::ClothHandle cloth : cloths_) renderer.remove_cloth(cloth);
+        for (DrawnSolid& solid : solids_) solid.remove(renderer);
+        cloths_.clear();
+        solids_.clear();
+        return;
+    }
+    if (cloths_.empty()) begin(*other, first, renderer);
+    for (std::size_t i = 0; i < cloths_.size(); ++i) {
+        const SceneCloth& cloth = other->content().cloths[i];
+        const auto view = other->world().cloth(cloth.id);
+        if (!view) continue;
+        colour_particles(ShownAsColour::nothing, cloth, *view, colours_);
+        renderer.update_cloth(cloths_[i], {.positions = moved(view->positions, positions_),
+                                           .previous_positions = moved(view->previous_positions, previous_),
+                                           .normals = view->normals,
+                                           .colours = colours_});
+    }
+    for (std::size_t i = 0; i < solids_.size(); ++i)
+        solids_[i].update(other->content().solids[i], other->world().report().step, renderer);
 }
 
 }  // namespace weft::demo

@@ -1,13 +1,19 @@
 #pragma once
-// A scene's solid as the renderer has it.
+// Solids and colliders as they are drawn, at and between two steps; and a second simulation beside the first.
 
+#include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "demo/scene.h"
+#include "demo/scene_simulation.h"
 #include "weft/render/scene_renderer.h"
+#include "weft/world.h"
 
 namespace weft::demo {
 
+/// A scene's solid as the renderer has it.
 class DrawnSolid {
   public:
     /// Shows the solid moved by `offset` [m]. The renderer draws it from the first update() on.
@@ -25,6 +31,46 @@ class DrawnSolid {
     std::uint64_t step_ = 0;  // after which it is drawn
     Mesh mesh_;
     std::vector<Vec4> positions_;
+};
+
+/// Colliders are drawn between two steps, as late as the cloth that lies on them: their places there.
+class ColliderMotion {
+  public:
+    /// Keeps the collider's place after the World's last step, if it is a new one. Call this for each
+    /// picture.
+    void note(ColliderId id, const Collider& collider, std::uint64_t step);
+    /// The collider at that share of the way from the step before to the last, 0 to 1. One that has jumped is
+    /// where it is. Precondition: note() was called for it.
+    [[nodiscard]] Collider at(ColliderId id, float share) const;
+    void forget() { motions_.clear(); }
+
+  private:
+    struct Motion {
+        Collider before, now;
+        std::uint64_t step;
+    };
+    using Key = std::pair<std::uint32_t, std::uint32_t>;
+    [[nodiscard]] static Key key(ColliderId id) { return {id.index, id.generation}; }
+    std::map<Key, Motion> motions_;
+};
+
+/// Another simulation of the same scene, drawn beside the first.
+class Beside {
+  public:
+    /// Shows `other`, or nothing if it is null. Adds and removes drawn cloths as needed.
+    void show(const Simulation* other, const Simulation& first, render::SceneRenderer& renderer);
+    /// Displacement of the other from its own place [m].
+    [[nodiscard]] const Vec3& offset() const { return offset_; }
+    [[nodiscard]] bool shown() const { return !cloths_.empty(); }
+
+  private:
+    void begin(const Simulation& other, const Simulation& first, render::SceneRenderer& renderer);
+    [[nodiscard]] std::span<const Vec4> moved(std::span<const Vec4> positions, std::vector<Vec4>& to) const;
+
+    std::vector<render::ClothHandle> cloths_;
+    std::vector<DrawnSolid> solids_;
+    Vec3 offset_;
+    std::vector<Vec4> positions_, previous_, colours_;
 };
 
 }  // namespace weft::demo

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demo/character/garment/garment_mesh.h"
 #include "engine/vector.h"
 
 namespace weft::demo {
@@ -13,12 +14,6 @@ Vec4 heat(float share) {
     const float t = std::clamp(share, 0.0f, 1.0f);
     const auto bump = [t](float middle) { return std::clamp(1.5f - std::abs(4 * t - middle), 0.0f, 1.0f); };
     return {0.8f * bump(3), 0.7f * bump(2), 0.8f * bump(1), 0.9f};
-}
-
-/// Rest length of an edge, in the flat pattern where the mesh has one.
-float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
-    if (mesh.pattern.empty()) return (to_vector(mesh.positions[a]) - to_vector(mesh.positions[b])).norm();
-    return std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);
 }
 
 /// Colours each particle by the greatest `measure` of its edges.

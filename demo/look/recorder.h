@@ -31,7 +31,7 @@ class Recorder {
     int pictures_ = 0;
 };
 
-/// Whether a program of that name is in one of $PATH's folders.
+/// True if a program of that name is in one of $PATH's folders.
 [[nodiscard]] bool program_is_there(const std::string& name);
 
 }  // namespace weft::demo

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "demo/json_text.h"
 #include "demo/number_json.h"
 #include "demo/options/method_table.h"
 #include "demo/self_collision.h"

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "demo/json_text.h"
 #include "demo/number_json.h"
 
 namespace weft::demo {

@@ -27,7 +27,7 @@ struct NamedMethod {
 [[nodiscard]] std::optional<int> iterations_of(const Method& method);
 /// Sets the method's iterations; does nothing if it does not iterate.
 void set_iterations(Method& method, int iterations);
-/// Whether the method uses ClothSettings::time_scheme.
+/// True if the method uses ClothSettings::time_scheme.
 [[nodiscard]] bool has_time_scheme(const Method& method);
 
 }  // namespace weft::demo

@@ -3,7 +3,6 @@
 #include <thread>
 
 #include "demo/look/materials.h"
-#include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 #include "demo/self_collision.h"
@@ -47,7 +46,7 @@ bool material_menu(Fabric& fabric, const Material*& woven) {
     return changed;
 }
 
-/// Whether these settings accept stiffening.
+/// True if these settings accept stiffening.
 bool can_stiffen(const ClothSettings& settings) {
     return !settings.finite_elements.enabled && !std::holds_alternative<Xpbd>(settings.method) &&
            !std::holds_alternative<Fibres>(settings.method);

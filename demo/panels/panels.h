@@ -99,6 +99,11 @@ class Panels {
 // One function for each panel, in a file of its name. Error: the simulation refuses the change.
 void scene_panel(const Simulation& simulation, ScenePictures& pictures, bool& gallery,
                  PanelRequests& requests);
+/// A window over the scene, within the `room` left of the column [pixels]; the chosen scene is in view when
+/// it opens. `lab`: the experiment that the card of the contact lab starts. Choosing a card closes the
+/// window.
+void gallery(bool& shown, const SceneEntry& chosen, const SceneEntry& lab, ScenePictures& pictures,
+             float room, PanelRequests& requests);
 [[nodiscard]] Result<void> wind_panel(Simulation& simulation, WindControl& wind,
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);

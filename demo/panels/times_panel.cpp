@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 
-#include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 
@@ -34,7 +33,7 @@ float plot_range(const StageHistory& history) {
     return range;
 }
 
-/// Whether a stage is plotted: parts of the work on cloths are, their own parts are not.
+/// True if a stage is plotted: parts of the work on cloths are, their own parts are not.
 bool is_shown(const StageTime& stage) {
     return stage.depth == 2;
 }

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "demo/panels/column.h"
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
 #include "engine/vector.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "demo/learn/drape.h"
-#include "demo/learn/elastica.h"
+#include "demo/must.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
 
@@ -47,31 +47,26 @@ Mesh round_block(float radius, const Vec3& top) {
 class Bench final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
-        settings.wind.air_density = 0;  // testers keep draughts out
-        return settings;
+        // testers keep draughts out
+        return {.wind = {.air_density = 0}};
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& /*options*/) override {
-        auto sheet = make_sheet({.rows = 7,
-                                 .columns = strip_cells + 1,
-                                 .origin = {strip_clamp.x, strip_clamp.y, strip_clamp.z + strip_width},
-                                 .u = {strip_length, 0, 0},
-                                 .v = {0, 0, -strip_width}});
-        if (!sheet) return sheet.error();
-        strip_mesh_ = std::move(*sheet);
+        strip_mesh_ = must(make_sheet({.rows = 7,
+                                       .columns = strip_cells + 1,
+                                       .origin = {strip_clamp.x, strip_clamp.y, strip_clamp.z + strip_width},
+                                       .u = {strip_length, 0, 0},
+                                       .v = {0, 0, -strip_width}}));
         disc_mesh_ = drape_disc(disc_radius, 20, drape_middle);  // a ring lies on the table's rim
 
         ClothSettings settings;
         settings.fabric.bending = 4e-5f;
         settings.air_damping = 1;
-        const auto strip = world.add_cloth(strip_mesh_, settings);
-        if (!strip) return strip.error();
-        const auto draped = world.add_cloth(disc_mesh_, settings);
-        if (!draped) return draped.error();
-        strip_ = *strip;
-        disc_ = *draped;
-        if (auto held = hold(world); !held) return held.error();
+        const auto strip = must(world.add_cloth(strip_mesh_, settings));
+        const auto draped = must(world.add_cloth(disc_mesh_, settings));
+        strip_ = strip;
+        disc_ = draped;
+        hold(world);
 
         SceneContent content;
         content.cloths.push_back({strip_, strip_mesh_, two_sided({0.12f, 0.30f, 0.55f})});
@@ -111,30 +106,27 @@ class Bench final : public Scene {
 
     [[nodiscard]] int check_steps() const override { return 600; }
     [[nodiscard]] Result<void> check(const World& world) const override {
-        const auto strip = world.cloth(strip_), draped = world.cloth(disc_);
-        if (!strip || !draped) return Error{ErrorCode::stale_id, "a cloth of the bench is gone"};
         Checks checks;
-        checks.finite(*strip);
-        checks.finite(*draped);
+        const ClothView strip = checks.cloth(world, strip_), draped = checks.cloth(world, disc_);
         const float exact = -elastica_curve(gamma_of(world.cloth_settings(strip_)->fabric), 2).back().y;
-        checks.at_most("the end's drop, off the exact [lengths]", std::abs(drop(*strip) - exact), 0.03f);
-        checks.at_least("drape coefficient", coefficient(*draped), 0.2f);
-        checks.at_most("drape coefficient", coefficient(*draped), 0.95f);
+        checks.at_most("the end's drop, off the exact [lengths]", std::abs(drop(strip) - exact), 0.03f);
+        checks.at_least("drape coefficient", coefficient(draped), 0.2f);
+        checks.at_most("drape coefficient", coefficient(draped), 0.95f);
         return checks.result();
     }
 
   private:
-    [[nodiscard]] Result<void> hold(World& world) const {
+    void hold(World& world) const {
         std::vector<std::uint32_t> held;
         for (std::uint32_t vertex = 0; vertex < strip_mesh_.positions.size(); ++vertex)
             if (strip_mesh_.positions[vertex].x < strip_clamp.x + 1.001f * strip_cell) held.push_back(vertex);
-        if (auto pinned = world.pin(strip_, held); !pinned) return pinned;
+        must(world.pin(strip_, held));
         held.clear();
         for (std::uint32_t vertex = 0; vertex < disc_mesh_.pattern.size(); ++vertex)
             if (std::hypot(disc_mesh_.pattern[vertex].x, disc_mesh_.pattern[vertex].y) <
                 1.0001f * table_radius)
                 held.push_back(vertex);
-        return world.pin(disc_, held);
+        must(world.pin(disc_, held));
     }
 
     [[nodiscard]] static double gamma_of(const Fabric& fabric) {

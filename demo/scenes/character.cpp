@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 
-#include "demo/character/figure/body_figure.h"
+#include "demo/character/figure/figure.h"
 #include "demo/character/garment/wear.h"
+#include "demo/must.h"
 #include "demo/scene.h"
 #include "demo/scenes/dolls.h"
 #include "demo/scenes/measures.h"
@@ -32,26 +33,22 @@ class Walkers final : public Scene {
         : rows_(rows), columns_(columns), run_(run) {}
 
     [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
         // Walkers stay on the spot, so that the air moves towards them instead.
-        settings.wind.velocity = {0, 0, run_ ? -3.0f : -1.2f};
-        settings.wind.gust = 0.2f;
-        return settings;
+        return {.wind = {.velocity = {0, 0, run_ ? -3.0f : -1.2f}, .gust = 0.2f}};
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        if (auto ground = world.add_collider({.shape = Plane{}}); !ground) return ground.error();
+        must(world.add_collider({.shape = Plane{}}));
         SceneContent content;
         for (std::uint32_t number = 0; number < rows_ * columns_; ++number) {
-            auto made = Character::create(settings_of(number, options));
-            if (!made) return made.error();
-            Character& character = walkers_.emplace_back(std::move(*made));
-            if (auto entered = character.enter(world); !entered) return entered.error();
+            auto made = must(Character::create(settings_of(number, options)));
+            Character& character = walkers_.emplace_back(std::move(made));
+            must(character.enter(world));
             const Vec3 colour = number == 0 ? character.garment().colour : crowd_colours[number % 4];
             SceneCloth& cloth = content.cloths.emplace_back(
                 SceneCloth{character.cloth(), character.garment().mesh, two_sided(colour)});
             if (const Mesh& fine = character.garment().fine; !fine.positions.empty())
-                if (auto bound = draw_over(cloth, world, fine); !bound) return bound.error();
+                must(draw_over(cloth, world, fine));
             content.clad_colliders.insert(content.clad_colliders.end(), character.colliders().begin(),
                                           character.colliders().end());
             content.solids.push_back(character.skin_places() ? skin_of(character)
@@ -78,12 +75,10 @@ class Walkers final : public Scene {
         Checks checks;
         study::TriangleSoup soup;
         for (const Character& character : walkers_) {
-            const auto view = world.cloth(character.cloth());
-            if (!view) return view.error();
-            checks.finite(*view);
-            soup.add(*view);
+            const ClothView view = checks.cloth(world, character.cloth());
+            soup.add(view);
             constexpr float kept = 0.005f;  // [m]
-            const auto wear = WearMeter(character.garment().mesh, kept).measure(*view, character.capsules());
+            const auto wear = WearMeter(character.garment().mesh, kept).measure(view, character.capsules());
             // The skin differs from the capsules of the limbs by its chords and its folds.
             if (!character.skin_places())
                 checks.at_most("triangles inside the body", static_cast<float>(wear.inside), 0);

@@ -5,20 +5,21 @@
 #include <numbers>
 #include <vector>
 
+#include "demo/must.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
 
 namespace weft::demo {
 namespace {
 
-constexpr float width = 2.6f, height = 2.0f;  // of the fabric laid flat [m]
-constexpr float top = 2.25f;                  // height of the fabric's upper edge [m]
-constexpr std::uint32_t spans = 12;           // between rings; a fold each
-constexpr float steepest = 1.0f;              // angle between fold and rod at a ring [rad]
-constexpr float drawn = 0.35f;                // the rings come nearer by this fraction ...
-constexpr double period = 10.0;               // ... and go back in this time [s]
+constexpr float curtain_width = 2.6f, curtain_height = 2.0f;  // of the fabric laid flat [m]
+constexpr float curtain_top = 2.25f;                          // height of the fabric's upper edge [m]
+constexpr std::uint32_t spans = 12;                           // between rings; a fold each
+constexpr float steepest = 1.0f;                              // angle between fold and rod at a ring [rad]
+constexpr float drawn_by = 0.35f;                             // the rings come nearer by this fraction ...
+constexpr double period = 10.0;                               // ... and go back in this time [s]
 
-constexpr float rod_height = top + 0.03f;  // [m]
+constexpr float rod_height = curtain_top + 0.03f;  // [m]
 constexpr std::uint32_t ring_sides = 18, tube_sides = 6;
 constexpr float tube_radius = 0.003f;  // [m]
 
@@ -55,7 +56,7 @@ void append_ring(const Vec3& through, std::vector<Vec3>& vertices) {
 /// of the arc length, which is the curve that a bent strip takes (the sine-generated curve of Langbein and
 /// Leopold 1966).
 std::vector<Vector3> folded_edge(std::uint32_t columns) {
-    const float spacing = width / static_cast<float>(columns - 1);
+    const float spacing = curtain_width / static_cast<float>(columns - 1);
     std::vector<Vector3> edge(columns, Vector3::Zero());
     for (std::uint32_t c = 1; c < columns; ++c) {
         const float halfway = (static_cast<float>(c) - 0.5f) / static_cast<float>(columns - 1);
@@ -64,40 +65,31 @@ std::vector<Vector3> folded_edge(std::uint32_t columns) {
         edge[c] = edge[c - 1] + spacing * Vector3(std::cos(angle), 0, std::sin(angle));
     }
     const float middle = 0.5f * edge.back().x();
-    for (Vector3& point : edge) point += Vector3(-middle, top, 0);
+    for (Vector3& point : edge) point += Vector3(-middle, curtain_top, 0);
     return edge;
 }
 
 class Curtain final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
-        settings.wind.velocity = {0.15f, 0, 0.6f};
-        settings.wind.gust = 0.6f;
-        return settings;
+        return {.wind = {.velocity = {0.15f, 0, 0.6f}, .gust = 0.6f}};
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        if (auto made = make_mesh(options.particles == 0 ? 3000 : options.particles); !made)
-            return made.error();
+        make_mesh(options.particles_or(3000));
 
         ClothSettings settings;
         settings.self_collision.method = SelfCollisionMethod::contact;
-        const auto cloth = world.add_cloth(mesh_, settings);
-        if (!cloth) return cloth.error();
-        cloth_ = *cloth;
-        for (std::uint32_t ring = 0; ring <= spans; ++ring) {
-            if (auto pinned = world.pin(cloth_, ring_vertex(ring)); !pinned) return pinned.error();
-        }
+        cloth_ = must(world.add_cloth(mesh_, settings));
+        for (std::uint32_t ring = 0; ring <= spans; ++ring) must(world.pin(cloth_, ring_vertex(ring)));
 
-        const float reach = 0.5f * width + 0.05f;
-        const auto rod =
-            world.add_collider({.shape = Capsule{{-reach, rod_height, 0}, {reach, rod_height, 0}, 0.015f}});
-        if (!rod) return rod.error();
+        const float reach = 0.5f * curtain_width + 0.05f;
+        const auto rod = must(
+            world.add_collider({.shape = Capsule{{-reach, rod_height, 0}, {reach, rod_height, 0}, 0.015f}}));
 
         SceneContent content;
         content.cloths.push_back({cloth_, mesh_, two_sided({0.10f, 0.22f, 0.42f}, 0.13f)});
-        content.drawn_colliders = {*rod};
+        content.drawn_colliders = {rod};
         place_rings(0);
         content.solids.push_back({.mesh = {.positions = *rings_, .triangles = ring_triangles(spans + 1)},
                                   .colour = {0.55f, 0.42f, 0.18f},
@@ -110,51 +102,36 @@ class Curtain final : public Scene {
 
     void before_step(World& world, double time, float dt) override {
         time_ = time + static_cast<double>(dt);
-        for (std::uint32_t ring = 0; ring <= spans; ++ring) {
+        for (std::uint32_t ring = 0; ring <= spans; ++ring)
             (void)world.move_pin(cloth_, ring_vertex(ring), ring_place(ring, time_));
-        }
         place_rings(time_);
     }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
-        const auto view = world.cloth(cloth_);
-        if (!view) return view.error();
         Checks checks;
-        checks.finite(*view);
-        for (std::uint32_t ring = 0; ring <= spans; ++ring) {
-            checks.pinned_at(*view, ring_vertex(ring), ring_place(ring, time_));
-        }
-        const Stretch stretch = structural_stretch(mesh_, *view);
-        checks.at_most("worst stretch", stretch.worst, 1.2f);
-        checks.at_most("mean stretch", stretch.mean, 1.01f);
+        const ClothView view = checks.cloth(world, cloth_);
+        for (std::uint32_t ring = 0; ring <= spans; ++ring)
+            checks.pinned_at(view, ring_vertex(ring), ring_place(ring, time_));
+        checks.stretch(mesh_, view, 1.2f, 1.01f);
 
         float hem = 0;
-        for (std::uint32_t column = 0; column < mesh_.columns; ++column) {
-            const std::uint32_t vertex = (mesh_.rows - 1) * mesh_.columns + column;
-            hem += vertex_position(*view, vertex).y() / static_cast<float>(mesh_.columns);
-        }
-        checks.at_least("the hem's mean height [m]", hem, top - 1.06f * height);
-        checks.at_most("the hem's mean height [m]", hem, top - 0.92f * height);
+        for (const std::uint32_t vertex : row_of(mesh_, mesh_.rows - 1))
+            hem += vertex_position(view, vertex).y() / static_cast<float>(mesh_.columns);
+        checks.at_least("the hem's mean height [m]", hem, curtain_top - 1.06f * curtain_height);
+        checks.at_most("the hem's mean height [m]", hem, curtain_top - 0.92f * curtain_height);
         return checks.result();
     }
 
   private:
-    Result<void> make_mesh(std::uint32_t particles) {
-        const GridSize grid = grid_size(particles, width, height);
-        auto mesh = make_sheet({.rows = grid.rows,
-                                .columns = grid.columns,
-                                .origin = {0, height, 0},
-                                .u = {width, 0, 0},
-                                .v = {0, -height, 0}});
-        if (!mesh) return mesh.error();
-        mesh_ = std::move(*mesh);
+    void make_mesh(std::uint32_t particles) {
+        mesh_ = sheet_of(particles, {0, curtain_height, 0}, {curtain_width, 0, 0}, {0, -curtain_height, 0});
         const std::vector<Vector3> edge = folded_edge(mesh_.columns);
         for (std::uint32_t vertex = 0; vertex < mesh_.positions.size(); ++vertex) {
             const Vec3 flat = mesh_.positions[vertex];
             mesh_.pattern.push_back({flat.x, flat.y});
-            mesh_.positions[vertex] = to_vec3(edge[vertex % mesh_.columns] - Vector3(0, height - flat.y, 0));
+            mesh_.positions[vertex] =
+                to_vec3(edge[vertex % mesh_.columns] - Vector3(0, curtain_height - flat.y, 0));
         }
-        return {};
     }
 
     [[nodiscard]] std::uint32_t ring_vertex(std::uint32_t ring) const {
@@ -164,7 +141,7 @@ class Curtain final : public Scene {
     /// Place of a ring [m]. The rings slide towards the first, and back.
     [[nodiscard]] Vec3 ring_place(std::uint32_t ring, double time) const {
         const double phase = 2 * std::numbers::pi * time / period;
-        const float scale = 1.0f - drawn * static_cast<float>(0.5 - 0.5 * std::cos(phase));
+        const float scale = 1.0f - drawn_by * static_cast<float>(0.5 - 0.5 * std::cos(phase));
         const float first = mesh_.positions[0].x;
         Vec3 place = mesh_.positions[ring_vertex(ring)];
         place.x = first + scale * (place.x - first);

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "demo/character/garment/garment_mesh.h"
-#include "demo/character/garment/gltf_mesh.h"
+#include "demo/character/garment/gltf_file.h"
+#include "demo/must.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
 
@@ -60,13 +61,8 @@ Result<Mesh> load_garment(const SceneOptions& options, std::string& note) {
 class HungGarment final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
-        settings.wind.velocity = {0.25f, 0, 0.65f};
-        settings.wind.gust = 0.7f;
-        settings.wind.gust_length = 0.5f;
         // Folds of uneven triangles press on each other, and contact is resolved after the step.
-        settings.substeps = 2;
-        return settings;
+        return {.wind = {.velocity = {0.25f, 0, 0.65f}, .gust = 0.7f, .gust_length = 0.5f}, .substeps = 2};
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
@@ -74,9 +70,7 @@ class HungGarment final : public Scene {
             return Error{ErrorCode::invalid_argument,
                          "scene garment needs an OBJ or glTF file; name one with --garment"};
         }
-        auto mesh = load_garment(options, note_);
-        if (!mesh) return mesh.error();
-        mesh_ = std::move(*mesh);
+        mesh_ = must(load_garment(options, note_));
         Mesh drawn;
         ProxyReport made;
         if (options.simulated > 0) {
@@ -88,44 +82,31 @@ class HungGarment final : public Scene {
         ClothSettings settings;
         settings.fabric.areal_density = 0.18f;
         settings.self_collision.method = SelfCollisionMethod::contact;
-        const auto cloth = world.add_cloth(mesh_, settings);
-        if (!cloth) return cloth.error();
-        cloth_ = *cloth;
+        cloth_ = must(world.add_cloth(mesh_, settings));
         pins_ = held_vertices(mesh_, options.hold);
-        for (const std::uint32_t vertex : pins_) {
-            if (auto pinned = world.pin(cloth_, vertex); !pinned) return pinned.error();
-        }
-        const auto ground = world.add_collider({.shape = Plane{}});
-        if (!ground) return ground.error();
-        auto content = this->content(world);
-        if (!content || options.simulated == 0) return content;
-        if (auto bound = draw_over(content->cloths.front(), world, drawn, {.reach = made.reach + more_reach});
-            !bound)
-            return bound.error();
-        content->notes.push_back(std::to_string(drawn.positions.size()) + " vertices are drawn over " +
-                                 std::to_string(mesh_.positions.size()) + " that are simulated");
+        must(world.pin(cloth_, pins_));
+        must(world.add_collider({.shape = Plane{}}));
+        SceneContent content = this->content(world);
+        if (options.simulated == 0) return content;
+        must(draw_over(content.cloths.front(), world, drawn, {.reach = made.reach + more_reach}));
+        content.notes.push_back(std::to_string(drawn.positions.size()) + " vertices are drawn over " +
+                                std::to_string(mesh_.positions.size()) + " that are simulated");
         return content;
     }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
-        const auto view = world.cloth(cloth_);
-        if (!view) return view.error();
         Checks checks;
-        checks.finite(*view);
-        for (const std::uint32_t vertex : pins_) checks.pinned_at(*view, vertex, mesh_.positions[vertex]);
-        const Stretch stretch = structural_stretch(mesh_, *view);
-        checks.at_most("worst stretch", stretch.worst, 1.5f);
-        checks.at_most("mean stretch", stretch.mean, 1.01f);
-        checks.at_least("the lowest point's height above the ground [m]", view->bounds.lower.y, 0.1f);
-        checks.at_most("the hem's fall since the start [m]", above_ground - view->bounds.lower.y, 0.25f);
+        const ClothView view = checks.cloth(world, cloth_);
+        for (const std::uint32_t vertex : pins_) checks.pinned_at(view, vertex, mesh_.positions[vertex]);
+        checks.stretch(mesh_, view, 1.5f, 1.01f);
+        checks.at_least("the lowest point's height above the ground [m]", view.bounds.lower.y, 0.1f);
+        checks.at_most("the hem's fall since the start [m]", above_ground - view.bounds.lower.y, 0.25f);
         return checks.result();
     }
 
   private:
-    [[nodiscard]] Result<SceneContent> content(const World& world) const {
-        const auto view = world.cloth(cloth_);
-        if (!view) return view.error();
-        const Bounds& box = view->bounds;
+    [[nodiscard]] SceneContent content(const World& world) const {
+        const Bounds box = must(world.cloth(cloth_)).bounds;
         SceneContent content;
         content.cloths.push_back({cloth_, mesh_, two_sided({0.13f, 0.32f, 0.26f})});
         if (!note_.empty()) content.notes.push_back(note_);

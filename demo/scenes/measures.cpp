@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "demo/character/garment/garment_mesh.h"
+#include "demo/must.h"
 #include "engine/error_text.h"
 
 namespace weft::demo {
@@ -31,15 +33,6 @@ void for_structural_edges(const Mesh& mesh, const F& f) {
     }
 }
 
-float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
-    if (mesh.pattern.empty()) return (to_vector(mesh.positions[a]) - to_vector(mesh.positions[b])).norm();
-    return std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);
-}
-
-bool is_pinned(const ClothView& view, std::uint32_t vertex) {
-    return view.positions[view.vertex_to_particle[vertex]].w == 0;
-}
-
 std::string text(float value) {
     return number_text(static_cast<double>(value));
 }
@@ -53,6 +46,27 @@ GridSize grid_size(std::uint32_t particles, float width, float height) {
     const auto rows =
         std::max(2u, static_cast<std::uint32_t>(std::lround(count / static_cast<float>(columns))));
     return {rows, columns};
+}
+
+Mesh sheet_of(std::uint32_t particles, const Vec3& corner, const Vec3& u, const Vec3& v) {
+    const GridSize grid = grid_size(particles, to_vector(u).norm(), to_vector(v).norm());
+    return must(make_sheet({.rows = grid.rows, .columns = grid.columns, .origin = corner, .u = u, .v = v}));
+}
+
+std::vector<std::uint32_t> row_of(const Mesh& sheet, std::uint32_t row) {
+    std::vector<std::uint32_t> vertices(sheet.columns);
+    std::iota(vertices.begin(), vertices.end(), row * sheet.columns);
+    return vertices;
+}
+
+std::vector<std::uint32_t> column_of(const Mesh& sheet, std::uint32_t column) {
+    std::vector<std::uint32_t> vertices(sheet.rows);
+    for (std::uint32_t row = 0; row < sheet.rows; ++row) vertices[row] = row * sheet.columns + column;
+    return vertices;
+}
+
+bool is_pinned(const ClothView& view, std::uint32_t vertex) {
+    return view.positions[view.vertex_to_particle[vertex]].w == 0;
 }
 
 Vector3 vertex_position(const ClothView& view, std::uint32_t vertex) {
@@ -105,14 +119,22 @@ void Checks::at_most(std::string_view what, float value, float bound) {
     }
 }
 
-void Checks::finite(const ClothView& view) {
+void Checks::stretch(const Mesh& mesh, const ClothView& view, float worst, float mean) {
+    const Stretch stretch = structural_stretch(mesh, view);
+    at_most("worst stretch", stretch.worst, worst);
+    at_most("mean stretch", stretch.mean, mean);
+}
+
+ClothView Checks::cloth(const World& world, ClothId id) {
+    const ClothView view = world.cloth(id).value();
     for (const std::span<const Vec4> values : {view.positions, view.velocities}) {
         const auto broken = std::ranges::find_if(values, [](const Vec4& v) { return !xyz(v).allFinite(); });
         if (broken != values.end()) {
             fail("particle " + std::to_string(broken - values.begin()) + " is not finite");
-            return;
+            break;
         }
     }
+    return view;
 }
 
 void Checks::pinned_at(const ClothView& view, std::uint32_t vertex, const Vec3& where) {

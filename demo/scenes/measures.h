@@ -1,8 +1,11 @@
 #pragma once
 // Grid sizes for the sheets of scenes, and measures for their checks.
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/vector.h"
 #include "weft/weft.h"
@@ -15,6 +18,13 @@ struct GridSize {
 };
 [[nodiscard]] GridSize grid_size(std::uint32_t particles, float width, float height);
 
+/// A sheet of about `particles` in squares, with columns along u and rows along v. Throws Refusal.
+[[nodiscard]] Mesh sheet_of(std::uint32_t particles, const Vec3& corner, const Vec3& u, const Vec3& v);
+/// Vertices of a sheet's row or column.
+[[nodiscard]] std::vector<std::uint32_t> row_of(const Mesh& sheet, std::uint32_t row);
+[[nodiscard]] std::vector<std::uint32_t> column_of(const Mesh& sheet, std::uint32_t column);
+
+[[nodiscard]] bool is_pinned(const ClothView& view, std::uint32_t vertex);
 /// The position of one of the mesh's own vertices.
 [[nodiscard]] Vector3 vertex_position(const ClothView& view, std::uint32_t vertex);
 
@@ -34,8 +44,11 @@ class Checks {
   public:
     void at_least(std::string_view what, float value, float bound);
     void at_most(std::string_view what, float value, float bound);
-    /// Expects positions and velocities to be finite.
-    void finite(const ClothView& view);
+    /// The cloth's view. Expects positions and velocities to be finite.
+    ClothView cloth(const World& world, ClothId id);
+    /// Bounds of structural_stretch(). Infinity: the mean is not judged.
+    void stretch(const Mesh& mesh, const ClothView& view, float worst,
+                 float mean = std::numeric_limits<float>::infinity());
     /// Expects the vertex to be pinned, and within a tenth of a millimetre of `where`.
     void pinned_at(const ClothView& view, std::uint32_t vertex, const Vec3& where);
 

@@ -1,11 +1,12 @@
 #pragma once
-// Solids of triangles, for colliders and for drawing: counter-clockwise seen from outside.
+// Solids of triangles, for colliders and for drawing, and what holds cloth.
 
 #include <cstdint>
 #include <span>
 
 #include "weft/mesh.h"
 #include "weft/shapes.h"
+#include "weft/world.h"
 
 namespace weft::demo {
 
@@ -20,5 +21,21 @@ namespace weft::demo {
 
 /// Unit normals, by area over the triangles about each vertex.
 [[nodiscard]] std::vector<Vec4> vertex_normals(const Mesh& mesh);
+
+/// Holders of cloth are only drawn: they take no part in the simulation.
+struct Annotation;
+
+enum class Holder {
+    rod,    ///< through the first and the last vertex, a bit longer
+    hands,  ///< at each vertex
+    posts   ///< from the ground to each vertex
+};
+
+/// Draws a holder of these vertices, those of them that are pinned.
+void draw_holder(const ClothView& cloth, std::span<const std::uint32_t> vertices, Holder holder,
+                 Annotation& to);
+
+/// Draws a level grate of 1 m by 0.8 m, whose lower side is at that height [m].
+void draw_grate(float height, Annotation& to);
 
 }  // namespace weft::demo

@@ -6,16 +6,17 @@
 #include <vector>
 
 #include "demo/cutting/cut_scene.h"
+#include "demo/must.h"
 #include "demo/scene.h"
-#include "demo/scenes/holders.h"
 #include "demo/scenes/measures.h"
+#include "demo/scenes/solids.h"
 
 namespace weft::demo {
 namespace {
 
 constexpr float sheet_width = 1.6f, sheet_height = 1.0f;  // [m]
 constexpr float top = 1.5f;                               // height of the sheet's upper border [m]
-constexpr float speed = 0.12f;                            // of each end [m/s]
+constexpr float pull_speed = 0.12f;                       // of each end [m/s]
 constexpr float farthest = 0.4f;                          // distance that each end moves [m]
 constexpr double begins = 0.5;                            // time at which the ends start to move [s]
 constexpr float irregular = 0.5f;  // spread of vertices about the grid, over its spacing
@@ -25,49 +26,33 @@ constexpr Tearing tearing{.strain = 0.12f, .edges = 3};
 class Tear final : public Scene {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
-        settings.wind.velocity = {0.4f, 0, 1.2f};
-        settings.wind.gust = 0.5f;
-        return settings;
+        return {.wind = {.velocity = {0.4f, 0, 1.2f}, .gust = 0.5f}};
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
-        const GridSize grid =
-            grid_size(options.particles == 0 ? 1500 : options.particles, sheet_width, sheet_height);
-        auto mesh = make_sheet({.rows = grid.rows,
-                                .columns = grid.columns,
-                                .origin = {-0.5f * sheet_width, top, 0},
-                                .u = {sheet_width, 0, 0},
-                                .v = {0, -sheet_height, 0}});
-        if (!mesh) return mesh.error();
-        make_irregular(*mesh);
+        const Mesh grid = sheet_of(options.particles_or(1500), {-0.5f * sheet_width, top, 0},
+                                   {sheet_width, 0, 0}, {0, -sheet_height, 0});
+        whole_ = scattered(grid);
 
         ClothSettings settings;
         settings.self_collision = {.method = SelfCollisionMethod::contact};
-        const auto cloth = world.add_cloth(*mesh, settings);
-        if (!cloth) return cloth.error();
-        for (std::uint32_t row = 0; row < grid.rows; ++row) {
-            left_.push_back(row * grid.columns);
-            right_.push_back(row * grid.columns + grid.columns - 1);
-        }
-        for (const auto* end : {&left_, &right_})
-            if (auto pinned = world.pin(*cloth, *end); !pinned) return pinned.error();
-        const auto ground = world.add_collider({.shape = Plane{}, .friction = 0.6f});
-        if (!ground) return ground.error();
-        whole_ = *mesh;
+        cloth_ = must(world.add_cloth(whole_, settings));
+        left_ = column_of(grid, 0);
+        right_ = column_of(grid, grid.columns - 1);
+        for (const auto* end : {&left_, &right_}) must(world.pin(cloth_, *end));
+        must(world.add_collider({.shape = Plane{}, .friction = 0.6f}));
 
         SceneContent content;
-        content.cloths.push_back({*cloth, whole_, two_sided({0.55f, 0.14f, 0.12f})});
+        content.cloths.push_back({cloth_, whole_, two_sided({0.55f, 0.14f, 0.12f})});
         content.camera = {.target = {0, 0.95f, 0}, .distance = 3.3f, .yaw = 0.3f, .pitch = 0.1f};
-        if (auto nicked = cut_cloth(world, content.cloths[0], nick_of(grid)); !nicked) return nicked.error();
-        cloth_ = *cloth;
+        must(cut_cloth(world, content.cloths[0], nick_of(grid)));
         triangles_ = whole_.triangles.size();
         return content;
     }
 
     void before_step(World& world, double time, float dt) override {
         const double end = time + static_cast<double>(dt) - begins;
-        const float way = std::min(farthest, speed * static_cast<float>(std::max(0.0, end)));
+        const float way = std::min(farthest, pull_speed * static_cast<float>(std::max(0.0, end)));
         for (const auto& [vertices, side] : {std::pair(&left_, -1.0f), std::pair(&right_, 1.0f)}) {
             std::vector<Vec3> to;
             for (const std::uint32_t v : *vertices) {
@@ -91,27 +76,24 @@ class Tear final : public Scene {
     [[nodiscard]] int check_steps() const override { return 420; }
 
     [[nodiscard]] Result<void> check(const World& world) const override {
-        const auto view = world.cloth(cloth_);
-        if (!view) return view.error();
         Checks checks;
-        checks.finite(*view);
+        const ClothView view = checks.cloth(world, cloth_);
         const ClothInfo info = world.cloth_info(cloth_).value();
         checks.at_least("parts", static_cast<float>(info.components), 2);
         checks.at_most("parts: it tears, and does not crumble", static_cast<float>(info.components), 40);
         checks.at_least("triangles", static_cast<float>(info.triangles), static_cast<float>(triangles_));
         checks.at_most("crossings", static_cast<float>(world.report().crossings), 0);
         std::vector<StrainedEdge> worst(1);
-        const auto count = world.strained_edges(cloth_, tearing.strain, worst);
-        if (!count) return count.error();
-        if (*count > 0) checks.at_most("the worst strain left", worst[0].strain, 4 * tearing.strain);
-        checks.at_least("the sheet's width, once torn [m]", view->bounds.upper.x - view->bounds.lower.x,
+        const auto count = must(world.strained_edges(cloth_, tearing.strain, worst));
+        if (count > 0) checks.at_most("the worst strain left", worst[0].strain, 4 * tearing.strain);
+        checks.at_least("the sheet's width, once torn [m]", view.bounds.upper.x - view.bounds.lower.x,
                         sheet_width + 2 * farthest - 0.01f);
         return checks.result();
     }
 
   private:
-    /// Moves inner vertices off the grid. Tears follow edges, and would look cut along straight rows.
-    static void make_irregular(Mesh& mesh) {
+    /// The mesh with inner vertices moved off the grid. Tears follow edges, and would look cut along rows.
+    static Mesh scattered(Mesh mesh) {
         std::mt19937 random(11);
         const auto draw = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f - 0.5f; };
         const float dx = irregular * sheet_width / static_cast<float>(mesh.columns - 1),
@@ -123,9 +105,10 @@ class Tear final : public Scene {
                 p.y += dy * draw();
             }
         mesh.rows = mesh.columns = 0;
+        return mesh;
     }
     /// The edges of the nick, down from the middle of the upper border.
-    static std::vector<MeshEdge> nick_of(const GridSize& grid) {
+    static std::vector<MeshEdge> nick_of(const Mesh& grid) {
         std::vector<MeshEdge> edges;
         const auto deep = std::max(1.0f, nick * static_cast<float>(grid.rows));
         const std::uint32_t column = grid.columns / 2;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "demo/character/figure/figure.h"
+#include "demo/must.h"
 #include "demo/scene.h"
 #include "demo/scenes/dolls.h"
 #include "demo/scenes/measures.h"
@@ -25,11 +26,7 @@ class Pair : public Scene {
   public:
     explicit Pair(const Wind& wind) : wind_(wind) {}
 
-    [[nodiscard]] WorldSettings world_settings() const override {
-        WorldSettings settings;
-        settings.wind = wind_;
-        return settings;
-    }
+    [[nodiscard]] WorldSettings world_settings() const override { return {.wind = wind_}; }
 
     void before_step(World& world, double /*time*/, float /*dt*/) override {
         for (std::size_t k = 0; k < cloths_.size(); ++k) {
@@ -57,26 +54,23 @@ class Pair : public Scene {
   protected:
     [[nodiscard]] virtual Vec3 label_at(std::size_t k) const = 0;
 
-    Result<void> add(World& world, std::size_t k, Mesh mesh, ClothSettings settings,
-                     std::span<const std::uint32_t> pins, SceneContent& content) {
+    void add(World& world, std::size_t k, Mesh mesh, ClothSettings settings,
+             std::span<const std::uint32_t> pins, SceneContent& content) {
         settings.substeps = substeps[k];
         if (substeps[k] > 1)
             settings.method = Multilevel{.passes = 6, .tolerance = 320};  // 8 x 40: as much in a frame
-        const auto cloth = world.add_cloth(mesh, settings);
-        if (!cloth) return cloth.error();
-        cloths_.push_back(*cloth);
+        const auto cloth = must(world.add_cloth(mesh, settings));
+        cloths_.push_back(cloth);
         meshes_.push_back(mesh);
-        content.cloths.push_back({*cloth, std::move(mesh), two_sided(colours[k])});
-        return world.pin(*cloth, pins);
+        content.cloths.push_back({cloth, std::move(mesh), two_sided(colours[k])});
+        must(world.pin(cloth, pins));
     }
     /// Expects cloths to be finite and stretched by at most `worst`, and the default not to be too slow.
     [[nodiscard]] Checks check_cloths(const World& world, float worst) const {
         Checks checks;
         for (std::size_t k = 0; k < cloths_.size(); ++k) {
-            const auto view = world.cloth(cloths_[k]);
-            if (!view) continue;
-            checks.finite(*view);
-            checks.at_most("worst stretch", structural_stretch(meshes_[k], *view).worst, worst);
+            const ClothView view = checks.cloth(world, cloths_[k]);
+            checks.stretch(meshes_[k], view, worst);
         }
         checks.at_least("the speed of the cloth as it is set over its truth's",
                         std::sqrt(squared_speeds_[0] / squared_speeds_[1]), 0.5f);
@@ -99,23 +93,15 @@ class FlagBesideTruth final : public Pair {
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
         const std::uint32_t each = options.particles == 0 ? 925 : options.particles / 2 + 1;
-        const GridSize grid = grid_size(each, fly, hoist);
         SceneContent content;
         for (std::size_t k = 0; k < substeps.size(); ++k) {
-            auto mesh = make_sheet({.rows = grid.rows,
-                                    .columns = grid.columns,
-                                    .origin = {pole_at(k), top, 0},
-                                    .u = {fly, 0, 0},
-                                    .v = {0, -hoist, 0}});
-            if (!mesh) return mesh.error();
-            std::vector<std::uint32_t> pins;
-            for (std::uint32_t row = 0; row < grid.rows; ++row) pins.push_back(row * grid.columns);
-            if (auto added = add(world, k, std::move(*mesh), {}, pins, content); !added) return added.error();
+            Mesh mesh = sheet_of(each, {pole_at(k), top, 0}, {fly, 0, 0}, {0, -hoist, 0});
+            const std::vector<std::uint32_t> pins = column_of(mesh, 0);
+            add(world, k, std::move(mesh), {}, pins, content);
             const float axis = pole_at(k) - 1.5f * pole;
             const auto stands =
-                world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, top + 0.05f, 0}, pole}});
-            if (!stands) return stands.error();
-            content.drawn_colliders.push_back(*stands);
+                must(world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, top + 0.05f, 0}, pole}}));
+            content.drawn_colliders.push_back(stands);
         }
         content.camera = {.target = {0.1f, 1.5f, 0}, .distance = 4.2f, .yaw = 0.25f, .pitch = 0.05f};
         return content;
@@ -148,12 +134,10 @@ class SkirtBesideTruth final : public Pair {
             const std::uint32_t columns = std::max(3u, each / rows);
             std::vector<std::uint32_t> pins;
             for (std::uint32_t c = 0; c < columns; ++c) pins.push_back(c);
-            if (auto added = add(world, k, cone(rows, columns, middle(k)), settings, pins, content); !added)
-                return added.error();
+            add(world, k, cone(rows, columns, middle(k)), settings, pins, content);
             for (std::size_t limb = 0; limb < 3; ++limb) {
-                const auto id = world.add_collider({.shape = limb_at(k, limb, 0)});
-                if (!id) return id.error();
-                limbs_.push_back(*id);
+                const auto id = must(world.add_collider({.shape = limb_at(k, limb, 0)}));
+                limbs_.push_back(id);
             }
         }
         content.clad_colliders = limbs_;

@@ -15,6 +15,8 @@ int run_physics(const StudyOptions& options);
 int run_motion(const StudyOptions& options);
 /// Crossing triangles: scenes where cloth collides with cloth, by every rung of self-collision.
 int run_contact(const StudyOptions& options);
+/// With --searches: recall, distance tests and time of the broad phases of avoidance.
+int run_searches(const StudyOptions& options);
 /// Time and motion error of many cloths: a budget beside one setting for all.
 int run_budget(const StudyOptions& options);
 /// All tables and charts that demo/charts keeps.

@@ -6,8 +6,8 @@
 
 #include "demo/study/accuracy/bullet_cloth.h"
 #include "demo/study/run.h"
-#include "demo/study/stability/cholesky.h"
-#include "demo/study/stability/stiffest_modes.h"
+#include "demo/study/stability/stability_causes.h"
+#include "demo/study/stability/study_solvers.h"
 
 namespace weft::study {
 

@@ -4,10 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <numbers>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 
+#include "demo/character/garment/garment_mesh.h"
+#include "demo/must.h"
 #include "demo/study/study_options.h"
 
 namespace weft::study {
@@ -92,10 +95,43 @@ double kappa(const Cloth& cloth, double frame) {
     return static_cast<double>(cloth.settings.fabric.warp) * frame * frame / mass;
 }
 
-double quantile(std::vector<double> sample, double p) {
-    std::ranges::sort(sample);
-    const double rank = std::ceil(p * static_cast<double>(sample.size()));
-    return sample[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+namespace {
+
+/// Height of the bump [m], in double precision from the mesh's floats: machines differ by a last bit or so.
+float bump(const Vec3& p) {
+    const double x = static_cast<double>(p.x) + 0.5, z = static_cast<double>(p.z) + 0.5;
+    const double pi = std::numbers::pi;
+    const double waves = std::sin(2.3 * pi * x + 0.4) * std::sin(3.1 * pi * z + 0.9) +
+                         0.5 * std::sin(5.7 * pi * (x + 0.6 * z) + 1.7);
+    return static_cast<float>(1e-4 / 1.5 * waves);
+}
+
+}  // namespace
+
+StudyScene hung_sheet(std::uint32_t per_side, bool wind) {
+    StudyScene scene;
+    scene.name = wind ? "wind" : "hanging";
+    scene.per_side = per_side;
+    scene.mesh = must(make_sheet({.rows = per_side, .columns = per_side}));
+    for (const Vec3& p : scene.mesh.positions) scene.start_positions.push_back({p.x, p.y + bump(p), p.z, 0});
+    scene.cloth.method = Jacobi{};
+    if (wind)
+        scene.world.wind.velocity = {1.0f, 0, 3.0f};
+    else
+        scene.world.wind.air_density = 0;
+    scene.pins = {0, per_side - 1};
+    return scene;
+}
+
+StudyScene hung_garment(const std::filesystem::path& obj, const std::string& name) {
+    StudyScene scene;
+    scene.name = name;
+    scene.mesh = must(load_obj(obj, {.texcoords_are_pattern = true}));
+    demo::drop_unfit_pattern(scene.mesh);
+    demo::stand_upright(scene.mesh, 0.45f);
+    scene.world.wind.air_density = 0;
+    scene.pins = demo::highest_opening(scene.mesh);
+    return scene;
 }
 
 }  // namespace weft::study

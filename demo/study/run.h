@@ -2,6 +2,7 @@
 // One cloth stepped by one method, and timed.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,12 @@ using Positions = std::vector<Eigen::Vector3d>;
 /// kappa = stiffness frame^2 / mean mass of a particle: how hard one step of the frame's length is.
 [[nodiscard]] double kappa(const Cloth& cloth, double frame);
 
-/// Quantile of an unsorted, non-empty sample, by nearest rank.
-[[nodiscard]] double quantile(std::vector<double> sample, double p);
+/// A sheet of 1 m and 0.2 kg/m^2 hung by two corners of one side, horizontal but for a bump of 0.1 mm that
+/// has no symmetry, so that the scene and not rounding decides how the sheet buckles. `wind`: in a steady
+/// breeze; otherwise in still air that takes 0.2 of the velocity per second.
+[[nodiscard]] StudyScene hung_sheet(std::uint32_t per_side, bool wind);
+
+/// A garment of a file, hung by its highest opening in still air.
+[[nodiscard]] StudyScene hung_garment(const std::filesystem::path& obj, const std::string& name);
 
 }  // namespace weft::study

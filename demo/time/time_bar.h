@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "demo/panels/panels.h"
-#include "demo/time/repeat_check.h"
 #include "demo/time/timeline.h"
 
 namespace weft::demo {

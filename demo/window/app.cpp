@@ -8,20 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include "demo/hands/air/gamepad.h"
 #include "demo/hands/hands.h"
-#include "demo/hands/key_taps.h"
 #include "demo/hands/overlay.h"
 #include "demo/headless/picture.h"
-#include "demo/look/dropped.h"
+#include "demo/look/look.h"
 #include "demo/look/settings_file.h"
-#include "demo/look/show.h"
 #include "demo/panels/panels.h"
-#include "demo/time/repeat_check.h"
 #include "demo/time/time_bar.h"
 #include "demo/time/timeline.h"
 #include "demo/window/camera_drift.h"
-#include "demo/window/keys.h"
+#include "demo/window/input.h"
+#include "demo/window/wind_control.h"
 #include "weft/render/context.h"
 #include "weft/render/imgui_layer.h"
 
@@ -51,11 +48,6 @@ Pointer read_pointer(const render::ImGuiLayer& layer) {
             .wheel = io.MouseWheel,
             .over_panel = layer.wants_mouse(),
             .has_knife = io.KeyShift};
-}
-
-/// 1, 0 or -1: which of two opposite keys is held.
-float held(Key positive, Key negative) {
-    return static_cast<float>(ImGui::IsKeyDown(positive)) - static_cast<float>(ImGui::IsKeyDown(negative));
 }
 
 class App {
@@ -201,8 +193,14 @@ class App {
         alpha_ = 1;
     }
 
+    /// 1 while the key is down, else 0.
+    [[nodiscard]] float held(int key) {
+        return glfwGetKey(context_.window_handle(), key) == GLFW_PRESS ? 1.0f : 0.0f;
+    }
+
     void read_keys(float seconds) {
-        const float turn = held(key::left, key::right), faster = held(key::up, key::down);
+        const float turn = held(GLFW_KEY_LEFT) - held(GLFW_KEY_RIGHT);
+        const float faster = held(GLFW_KEY_UP) - held(GLFW_KEY_DOWN);
         if (turn != 0 || faster != 0) steer_wind(turn, faster, seconds);
         if (keys_.count(GLFW_KEY_SPACE) % 2 == 1) playback_.paused = !playback_.paused;
         if (keys_.count(GLFW_KEY_F1) % 2 == 1) panels_.help = !panels_.help;
@@ -237,7 +235,7 @@ class App {
         if (keys_.count(GLFW_KEY_P) % 2 == 1) note(hands_.pin_or_unpin(simulation_, pointed_));
         for (int k = keys_.count(GLFW_KEY_T); k > 0; --k) note(hands_.throw_ball(simulation_, pointed_));
         if (keys_.count(GLFW_KEY_B) > 0) hands_.blast(simulation_, camera_, pointed_);
-        if (ImGui::IsKeyDown(key::f))
+        if (held(GLFW_KEY_F) > 0)
             hands_.blow(simulation_, camera_, pointed_);
         else
             hands_.air.put_fan_away();

@@ -1,5 +1,5 @@
 #pragma once
-// The wind as a player steers it.
+// The wind as a player steers it: by keys, and by a gamepad.
 
 #include "weft/types.h"
 
@@ -29,5 +29,20 @@ class WindControl {
   private:
     float heading_ = 0, speed_ = 0, upwards_ = 0;
 };
+
+/// State of the first gamepad that GLFW knows; sticks in [-1, 1], right and away from the player > 0.
+struct Gamepad {
+    bool is_there = false;
+    float left_right = 0, left_away = 0;  ///< the left stick
+    float triggers = 0;                   ///< right trigger minus left trigger, in [-1, 1]
+    bool throws = false, blasts = false;  ///< buttons A and B, held
+};
+
+/// Precondition: GLFW runs.
+[[nodiscard]] Gamepad read_gamepad();
+
+/// The left stick sets the wind's heading as a camera of that yaw sees it; a released stick keeps it. The
+/// triggers change the speed, by up to twice the keys' rate.
+void steer_by(const Gamepad& pad, float camera_yaw, float seconds, WindControl& wind);
 
 }  // namespace weft::demo

@@ -1,5 +1,5 @@
 #pragma once
-// What is measured: cloths that have moved long enough to hang in folds, or to lie on something.
+// The measured scenes: cloths that have moved long enough to hang in folds, or to lie on something.
 
 #include <cstdint>
 #include <functional>
@@ -20,7 +20,7 @@ enum class SceneKind {
     dress,         ///< dress-victor-iso-draped.obj, likewise
 };
 [[nodiscard]] const char* name_of(SceneKind kind);
-/// Whether WEFT_DATA leads to the garment's file.
+/// True if WEFT_DATA leads to the garment's file.
 [[nodiscard]] bool has_garment(SceneKind kind = SceneKind::garment);
 
 class Scene {

@@ -1,4 +1,4 @@
-// What each call of a World costs its host.
+// The time of each call of a World.
 
 #include <algorithm>
 #include <cstddef>

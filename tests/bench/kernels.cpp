@@ -16,7 +16,7 @@ namespace weft::bench {
 
 namespace {
 
-/// What the formulas count in, all per particle.
+/// The counts that the formulas use, all per particle.
 struct Counts {
     bool is_grid;   ///< each spring is kept and worked out once, at its first end
     double blocks;  ///< that the matrix keeps

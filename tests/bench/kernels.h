@@ -10,7 +10,7 @@
 
 namespace weft::bench {
 
-/// What no implementation could do without, per particle: each array that is read or written counted once.
+/// The least traffic of any implementation, per particle: each array that is read or written counted once.
 struct Traffic {
     double bytes = 0;
     double flops = 0;  ///< a fused multiply-add is two; a square root or a division one

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "demo/study/accuracy/stretch.h"
+#include "demo/study/accuracy/motion_measures.h"
 #include "engine/vector.h"
 #include "tests/bench/bench_scenes.h"
 #include "tests/bench/frames.h"

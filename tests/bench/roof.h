@@ -1,5 +1,5 @@
 #pragma once
-// What the machine can do at most: the roofs of Williams, Waterman and Patterson, "Roofline", 2009.
+// The most that the machine can do: the roofs of Williams, Waterman and Patterson, "Roofline", 2009.
 
 #include <cstddef>
 #include <vector>

@@ -12,7 +12,7 @@ inline double seconds_now(int threads) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Of one run.
+/// The time of one run.
 template <class Run>
 double seconds_of(int threads, const Run& run) {
     const double begin = seconds_now(threads);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "demo/scene_simulation.h"
+#include "tests/demo/small_world.h"
 
 namespace weft::demo {
 namespace {
@@ -152,16 +153,11 @@ TEST(Describe, HasTheSameLinesForPeople) {
 
 // Sums and greatest values of the cloths' are the step's.
 TEST(Describe, HasReportsOfClothsThatAddUpToTheSteps) {
-    SceneOptions options;
-    options.particles = 1000;
-    Overrides overrides;
-    overrides.threads = 2;
-    auto simulation = Simulation::create(*find_scene("stack"), options, overrides);
-    ASSERT_TRUE(simulation) << simulation.error().message;
-    for (int k = 0; k < 40; ++k) simulation->step(1.0f / 60);
-    const World& world = simulation->world();
+    Simulation simulation = simulation_of("stack", 1000, {.threads = 2});
+    for (int k = 0; k < 40; ++k) simulation.step(1.0f / 60);
+    const World& world = simulation.world();
     ClothReport sum;
-    for (const SceneCloth& cloth : simulation->content().cloths) {
+    for (const SceneCloth& cloth : simulation.content().cloths) {
         const ClothReport report = world.cloth_report(cloth.id).value();
         sum.flags = sum.flags | report.flags;
         sum.particles += report.particles;

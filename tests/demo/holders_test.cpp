@@ -1,12 +1,15 @@
-// What is seen of a scene besides its cloth: that which holds it, and colours that tell sheets apart.
+// A scene's picture besides its cloth: figures, holders, and colours that tell sheets apart.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "collision/colliders/nearest_surface.h"
 #include "demo/scene_simulation.h"
+#include "demo/time/timeline.h"
 #include "engine/vector.h"
+#include "tests/demo/small_world.h"
 
 namespace weft::demo {
 namespace {
@@ -37,15 +40,14 @@ float distance_to_solids(const Simulation& simulation, const Annotation& drawn, 
     return least;
 }
 
-class Holders : public testing::TestWithParam<const char*> {
-  protected:
-    static Simulation after(const char* scene, int steps) {
-        auto simulation = Simulation::create(*find_scene(scene), {.particles = 600}, {});
-        EXPECT_TRUE(simulation.ok());
-        for (int i = 0; i < steps; ++i) simulation->step(1.0f / 60);
-        return std::move(*simulation);
-    }
-};
+/// The scene after so many steps.
+Simulation after(const char* scene, int steps) {
+    Simulation simulation = simulation_of(scene, 600, {});
+    for (int i = 0; i < steps; ++i) simulation.step(1.0f / 60);
+    return simulation;
+}
+
+class Holders : public testing::TestWithParam<const char*> {};
 
 TEST_P(Holders, AreDrawnWhereClothIsHeld) {
     const Simulation simulation = after(GetParam(), 30);
@@ -72,6 +74,76 @@ TEST_F(Holders, LetGoWithTheCloth) {
     Annotation drawn;
     simulation.scene().annotate(simulation.world(), drawn);
     EXPECT_EQ(drawn.capsules.size(), 1u);
+}
+
+// Figures are within the colliders that cloth meets, and where the World is in time.
+
+std::vector<Vec3> places_of(const SceneSolid& solid, SolidMoment moment = SolidMoment::now) {
+    std::vector<Vec3> places(solid.mesh.positions.size());
+    solid.place(places, moment);
+    return places;
+}
+
+class Figures : public testing::TestWithParam<const char*> {};
+
+TEST_P(Figures, AreWithinWhatClothMeets) {
+    const Simulation simulation = after(GetParam(), 75);
+    const SceneContent& content = simulation.content();
+    ASSERT_FALSE(content.solids.empty());
+    EXPECT_TRUE(content.drawn_colliders.empty()) << "the figure is drawn in their place";
+    std::vector<Collider> colliders;
+    for (const ColliderId id : content.clad_colliders) colliders.push_back(*simulation.world().collider(id));
+    for (std::size_t person = 0; person < content.solids.size(); person += 3) {
+        const SceneSolid& solid = content.solids[person];
+        const std::vector<Vec3> places = places_of(solid);
+        float most = -1;
+        for (const Triangle& t : solid.mesh.triangles) {
+            const Vector3 middle =
+                (to_vector(places[t[0]]) + to_vector(places[t[1]]) + to_vector(places[t[2]])) / 3;
+            float nearest = 1;
+            for (const Collider& collider : colliders)
+                nearest = std::min(nearest, nearest_surface(collider, middle).distance);
+            most = std::max(most, nearest);
+        }
+        EXPECT_LT(most, 1e-3f) << "[m] outside, person " << person;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Figures,
+                         testing::Values("character", "runner", "crowd", "capes", "worn_truth"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(Figure, IsDrawnWhereTheWorldIsInTime) {
+    for (const char* scene : {"character", "capes", "worn_truth"}) {
+        Simulation simulation = after(scene, 60);
+        Timeline timeline;
+        ASSERT_TRUE(timeline.keep(simulation).ok());
+        const std::vector<Vec3> then = places_of(simulation.content().solids[0]);
+        for (int i = 0; i < 20; ++i) simulation.step(1.0f / 60);
+        const std::vector<Vec3> later = places_of(simulation.content().solids[0]);
+        ASSERT_TRUE(timeline.go_to(0, simulation).ok());
+        const std::vector<Vec3> again = places_of(simulation.content().solids[0]);
+        float moved = 0, off = 0;
+        for (std::size_t v = 0; v < then.size(); ++v) {
+            moved = std::max(moved, (to_vector(later[v]) - to_vector(then[v])).norm());
+            off = std::max(off, (to_vector(again[v]) - to_vector(then[v])).norm());
+        }
+        EXPECT_GT(moved, 0.02f) << scene;
+        EXPECT_LT(off, 1e-4f) << scene;
+    }
+}
+
+/// A picture between two steps shows the body as late as it shows the cloth.
+TEST(Figure, IsKnownBeforeTheLastStep) {
+    for (const char* scene : {"character", "capes", "worn_truth"}) {
+        Simulation simulation = after(scene, 70);
+        const std::vector<Vec3> then = places_of(simulation.content().solids[0]);
+        simulation.step(1.0f / 60);
+        const std::vector<Vec3> before =
+            places_of(simulation.content().solids[0], SolidMoment::before_last_step);
+        for (std::size_t v = 0; v < then.size(); ++v)
+            ASSERT_LT((to_vector(before[v]) - to_vector(then[v])).norm(), 1e-4f) << scene;
+    }
 }
 
 }  // namespace

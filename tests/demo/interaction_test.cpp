@@ -1,16 +1,23 @@
-// The mouse, played frame by frame against a scene.
-
-#include "demo/window/interaction.h"
+// The mouse, played frame by frame against a scene; keys and camera.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "demo/hands/project.h"
+#include "demo/window/camera_drift.h"
+#include "demo/window/interaction.h"
+#include "demo/window/wind_control.h"
 #include "engine/vector.h"
+#include "tests/demo/small_world.h"
 
 namespace weft::demo {
+
+// The mouse, played frame by frame against a scene.
+
 namespace {
 
 constexpr float aspect = 1.6f;
@@ -19,11 +26,7 @@ class Mouse : public testing::Test {
   protected:
     Mouse() : simulation(make()), camera(simulation.content().camera) {}
 
-    static Simulation make() {
-        SceneOptions options;
-        options.particles = 400;
-        return std::move(*Simulation::create(*find_scene("flag"), options, {}));
-    }
+    static Simulation make() { return simulation_of("flag", 400); }
 
     void press(float x, float y) { drag(x, y, 0, 0); }
     void drag(float x, float y, float right, float down) {
@@ -145,5 +148,136 @@ TEST_F(Mouse, CutsWithTheKnifeAllAlongItsWay) {
     EXPECT_EQ(simulation.content().cloths.front().mesh.positions.size(), vertices);
 }
 
+constexpr float dt = 1.0f / 60.0f;
+constexpr Vec3 forward{0, 0, -1};
+
+TEST(Grab, HoldsTheParticleUnderTheRay) {
+    SmallWorld small;
+    Grab grab;
+    ASSERT_TRUE(grab.begin(small.world, SmallWorld::straight_at(0.31f, 0.58f), forward));
+    EXPECT_EQ(grab.vertex(), SmallWorld::vertex(4, 3));
+    EXPECT_EQ(small.position(grab.vertex()).w, 0);
+
+    const Vec4 before = small.position(grab.vertex());
+    for (int i = 0; i < 10; ++i) {
+        grab.before_step(small.world, dt);
+        small.world.step(dt);
+    }
+    const Vec4 after = small.position(grab.vertex());
+    EXPECT_EQ(xyz(after), xyz(before)) << "a still hand holds still";
+}
+
+TEST(Grab, FollowsThePointerAtItsDepthAndNoFasterThanAHand) {
+    SmallWorld small;
+    Grab grab;
+    ASSERT_TRUE(grab.begin(small.world, SmallWorld::straight_at(0.5f, 0.5f), forward));
+    grab.aim(SmallWorld::straight_at(0.9f, 0.8f));
+    Vec4 last = small.position(grab.vertex());
+    for (int i = 0; i < 30; ++i) {
+        grab.before_step(small.world, dt);
+        small.world.step(dt);
+        const Vec4 now = small.position(grab.vertex());
+        EXPECT_LE((xyz(now) - xyz(last)).norm(), 1.001f * Grab::max_speed * dt);
+        last = now;
+    }
+    EXPECT_NEAR(last.x, 0.9f, 1e-5);
+    EXPECT_NEAR(last.y, 0.8f, 1e-5);
+    EXPECT_NEAR(last.z, 0, 1e-5);
+}
+
+TEST(Grab, LeavesPinnedWhatTheScenePinned) {
+    SmallWorld small;
+    const std::uint32_t corner = SmallWorld::vertex(0, 0);
+    ASSERT_TRUE(small.world.pin(small.cloths.front().id, corner).ok());
+    Grab grab;
+    ASSERT_TRUE(grab.begin(small.world, SmallWorld::straight_at(0.01f, 0.99f), forward));
+    ASSERT_EQ(grab.vertex(), corner);
+    grab.end(small.world);
+    small.world.step(dt);
+    EXPECT_EQ(small.position(corner).w, 0);
+}
+
+TEST(WindControl, GivesBackTheWindThatItTook) {
+    for (const Vec3 wind :
+         {Vec3{3, 0.5f, -4}, Vec3{-1, 0, 0}, Vec3{0, -2, 7}, Vec3{0, 1, 0}, Vec3{60, 5, -70}}) {
+        const Vec3 back = WindControl(wind).velocity();
+        EXPECT_NEAR(back.x, wind.x, 1e-5);
+        EXPECT_EQ(back.y, wind.y);
+        EXPECT_NEAR(back.z, wind.z, 1e-5);
+    }
+}
+
+TEST(WindControl, HeadingIsAnticlockwiseSeenFromAbove) {
+    constexpr float pi = std::numbers::pi_v<float>;
+    EXPECT_NEAR(WindControl({5, 0, 0}).heading(), 0, 1e-6);
+    // From above, with +X to the right, -Z is away from the viewer: a quarter turn to the left.
+    EXPECT_NEAR(WindControl({0, 0, -5}).heading(), pi / 2, 1e-6);
+    EXPECT_NEAR(WindControl({0, 0, 5}).heading(), -pi / 2, 1e-6);
+}
+
+bool is_in_picture(const render::OrbitCamera& camera, const Bounds& box) {
+    for (const Vec3& corner : {box.lower, box.upper}) {
+        const auto place = project(camera, corner, aspect);
+        if (!place || place->x < 0 || place->x > aspect || place->y < 0 || place->y > 1) return false;
+    }
+    return true;
+}
+
+/// A flag of 1.5 m at a pole in the origin, blown to that side.
+Bounds flag(float side) {
+    return {{std::min(0.0f, 1.5f * side), 1.5f, -0.1f}, {std::max(0.0f, 1.5f * side), 2.4f, 0.1f}};
+}
+
+render::OrbitCamera beside_the_pole() {
+    return {.target = {0.8f, 1.8f, 0}, .distance = 2.6f, .yaw = 0.2f, .pitch = 0.1f};
+}
+
+TEST(CameraDrift, FollowsAFlagThatTurnsAndComesBack) {
+    render::OrbitCamera camera = beside_the_pole();
+    const Vec3 first = camera.target;
+    CameraDrift drift;
+    drift.update(flag(1), aspect, dt, camera);
+    EXPECT_EQ(to_vector(camera.target), to_vector(first)) << "it is in the picture";
+    EXPECT_FALSE(is_in_picture(camera, flag(-1)));
+    float fastest = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Vector3 before = to_vector(camera.target);
+        drift.update(flag(-1), aspect, dt, camera);
+        fastest = std::max(fastest, (to_vector(camera.target) - before).norm() / dt);
+    }
+    EXPECT_TRUE(is_in_picture(camera, flag(-1)));
+    EXPECT_LT(fastest, 2) << "[m/s]: gently";
+    for (int i = 0; i < 600; ++i) drift.update(flag(1), aspect, dt, camera);
+    EXPECT_LT((to_vector(camera.target) - to_vector(first)).norm(), 0.02f) << "the view that was given";
+}
+
+TEST(CameraDrift, LeavesTheUsersViewAlone) {
+    render::OrbitCamera camera = beside_the_pole();
+    CameraDrift drift;
+    drift.update(flag(1), aspect, dt, camera);
+    camera.zoom(6);  // onto a part of the flag
+    const Vec3 given = camera.target;
+    for (int i = 0; i < 300; ++i) drift.update(flag(1), aspect, dt, camera);
+    EXPECT_LT((to_vector(camera.target) - to_vector(given)).norm(), 1e-5f);
+}
+
+TEST(CameraDrift, GoesRoundWhileNobodyDoesAnything) {
+    render::OrbitCamera camera = beside_the_pole();
+    const float yaw = camera.yaw;
+    CameraDrift drift;
+    const auto wait = [&](float seconds) {
+        for (float t = 0; t < seconds; t += dt) drift.update(flag(1), aspect, dt, camera);
+    };
+    wait(CameraDrift::idle_after - 1);
+    EXPECT_EQ(camera.yaw, yaw);
+    wait(11);
+    EXPECT_NEAR(camera.yaw, yaw + 10 * CameraDrift::turn_rate, 0.02f);
+    drift.wake();
+    const float there = camera.yaw;
+    wait(10);
+    EXPECT_EQ(camera.yaw, there);
+}
+
 }  // namespace
+
 }  // namespace weft::demo

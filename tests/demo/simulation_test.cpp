@@ -10,16 +10,13 @@
 
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/options/method_table.h"
+#include "tests/demo/small_world.h"
 
 namespace weft::demo {
 namespace {
 
 Simulation small_flag(const Overrides& overrides = {}) {
-    SceneOptions options;
-    options.particles = 300;
-    auto simulation = Simulation::create(*find_scene("flag"), options, overrides);
-    EXPECT_TRUE(simulation.ok());
-    return std::move(*simulation);
+    return simulation_of("flag", 300, overrides);
 }
 
 std::uint64_t hash_after(Simulation& simulation, int steps) {

@@ -1,11 +1,19 @@
 #pragma once
-// A sheet in the xy plane, seen from +Z, for tests of the pointer.
+// Scenes for tests, and a sheet in the xy plane, seen from +Z, for tests of the pointer.
 
 #include <gtest/gtest.h>
 
-#include "demo/scene.h"
+#include "demo/scene_simulation.h"
 
 namespace weft::demo {
+
+/// A scene of about so many particles.
+inline Simulation simulation_of(const char* scene, std::uint32_t particles,
+                                const Overrides& overrides = {.threads = 1}) {
+    auto made = Simulation::create(*find_scene(scene), {.particles = particles}, overrides);
+    EXPECT_TRUE(made.ok()) << (made ? "" : made.error().message);
+    return std::move(*made);
+}
 
 /// 11 by 11 particles, 0.1 m apart; vertex (row, column) at x = 0.1 column, y = 1 - 0.1 row, z = 0.
 struct SmallWorld {

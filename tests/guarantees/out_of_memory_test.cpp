@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/fuzz/snapshot.h"
+#include "tests/fuzz/text.h"
 #include "tests/guarantees/allocation_count.h"
 #include "tests/guarantees/method_cases.h"
 

@@ -62,7 +62,7 @@ TEST(TerminalSpeed, BalancesWeightAndDrag) {
 TEST(Capstan, IsEytelweinsOnAThinRod) {
     EXPECT_NEAR(capstan_friction(0.1, 0.2, 1e-7), std::log(2.0) / std::numbers::pi, 1e-5);
     EXPECT_NEAR(capstan_friction(0.3, 0.3, 0.05), 0, 1e-6) << "balanced without friction";
-    // What lies on the cylinder presses too, so that less friction holds the same lengths.
+    // The part on the cylinder presses, too, so that less friction holds the same lengths.
     EXPECT_LT(capstan_friction(0.1, 0.2, 0.05), capstan_friction(0.1, 0.2, 1e-7));
 }
 

@@ -1,15 +1,19 @@
 // The converged step: the functional's derivatives, Newton's convergence, and the library's linearised step.
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <Eigen/Dense>
 
+#include "demo/study/reference/fine_time.h"
 #include "demo/study/reference/newton.h"
 #include "demo/study/reference/states.h"
-#include "demo/study/stability/cholesky.h"
-#include "demo/study/study_scenes.h"
+#include "demo/study/run.h"
+#include "demo/study/stability/study_solvers.h"
 #include "tests/cloth/fixtures.h"
 
 namespace weft::study {
+
 namespace {
 
 /// One step of a cloth, for a solver that is called by itself.
@@ -124,5 +128,24 @@ TEST(Cholesky, IsOneNewtonStepFromRest) {
         << "the library keeps W's springs in half precision";
 }
 
+// The truth by fine steps: its order, and the motion of one particle that is known.
+
+Positions after(const StudyScene& scene, int frames, int substeps) {
+    FineTime fine(scene, 1);
+    for (int frame = 0; frame < frames; ++frame) fine.step(substeps);
+    return fine.positions();
+}
+
+// Without pins a flat sheet falls as one particle against air damping: v' = g - c v.
+TEST(FineTime, FallsAsTheClosedFormSays) {
+    StudyScene scene = hung_sheet(5, false);
+    scene.pins.clear();
+    scene.start_positions.clear();
+    const double c = static_cast<double>(scene.cloth.air_damping), t = 0.5, g = -9.81;
+    const double expected = g / c * (t - (1 - std::exp(-c * t)) / c);
+    for (const Eigen::Vector3d& x : after(scene, 30, 64)) EXPECT_NEAR(x.y(), expected, 1e-6);
+}
+
 }  // namespace
+
 }  // namespace weft::study

@@ -78,7 +78,7 @@ Vector3 extent_of(const Mesh& mesh) {
     return upper - lower;
 }
 
-/// Whether the only opening goes round the whole mesh.
+/// True if the only opening goes round the whole mesh.
 bool is_sheet(const Mesh& mesh, const std::vector<std::vector<std::uint32_t>>& openings) {
     if (openings.size() != 1) return false;
     Mesh border;
@@ -131,6 +131,11 @@ Mesh refined(const Mesh& mesh) {
     return fine;
 }
 
+float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+    if (mesh.pattern.empty()) return (to_vector(mesh.positions[a]) - to_vector(mesh.positions[b])).norm();
+    return std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);
+}
+
 void drop_unfit_pattern(Mesh& mesh) {
     if (mesh.pattern.empty()) return;
     float in_space = 0, on_pattern = 0;
@@ -138,8 +143,7 @@ void drop_unfit_pattern(Mesh& mesh) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t a = t[corner], b = t[(corner + 1) % 3];
             in_space += (to_vector(mesh.positions[a]) - to_vector(mesh.positions[b])).norm();
-            on_pattern +=
-                std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);
+            on_pattern += rest_length(mesh, a, b);
         }
     }
     if (!(on_pattern > 0.7f * in_space && on_pattern < 1.4f * in_space)) mesh.pattern.clear();

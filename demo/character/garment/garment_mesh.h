@@ -16,6 +16,9 @@ void stand_upright(Mesh& mesh, float lowest);
 /// Cuts every triangle in four at the middles of its edges, in space and on the pattern.
 [[nodiscard]] Mesh refined(const Mesh& mesh);
 
+/// Length of an edge at rest [m]: in the pattern, where the mesh has one.
+[[nodiscard]] float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b);
+
 /// Drops a pattern that is not in metres: one whose edges are, on the whole, not as long as the garment's
 /// own.
 void drop_unfit_pattern(Mesh& mesh);

@@ -12,6 +12,7 @@
 #include "weft/gltf.h"
 
 namespace weft::demo {
+
 namespace {
 
 constexpr double frame_rate = 60, longest_animation = 600;  // [Hz], [s]
@@ -127,7 +128,7 @@ class GltfReader {
         std::set<std::array<float, 3>> places_;
     };
 
-    /// What shares a vertex's place with something worn is worn.
+    /// A piece that shares a vertex's place with worn cloth is worn, too.
     static void mark_joined(std::vector<SkinPart>& parts) {
         Places seams;
         std::vector<bool> added(parts.size());
@@ -227,6 +228,28 @@ Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_
     if (auto maps = read_maps(file, garment.mesh.positions.size(), character->worn.colours, garment); !maps)
         return maps.error();
     return character;
+}
+
+bool is_gltf(const std::filesystem::path& file) {
+    return file.extension() == ".gltf" || file.extension() == ".glb";
+}
+
+bool has_skin(const std::filesystem::path& file) {
+    const auto asset = GltfAsset::load(file);
+    return asset && !asset->joints().empty();
+}
+
+Result<Mesh> read_gltf_mesh(const std::filesystem::path& file) {
+    const auto asset = GltfAsset::load(file);
+    if (!asset) return asset.error();
+    if (!asset->left_out().empty()) {  // all of the file is the garment
+        const Error& fault = asset->left_out().front().fault;
+        return Error{fault.code, file.string() + ": " + fault.message};
+    }
+    Mesh mesh = asset->mesh();
+    if (!mesh.triangles.empty()) return mesh;
+    return Error{ErrorCode::invalid_mesh,
+                 file.string() + ": no node has a mesh of triangles; cloth needs some"};
 }
 
 }  // namespace weft::demo

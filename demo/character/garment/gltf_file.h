@@ -7,6 +7,7 @@
 #include "demo/character/garment/garment.h"
 #include "demo/character/motion/bvh.h"
 #include "weft/error.h"
+#include "weft/mesh.h"
 
 namespace weft::demo {
 
@@ -38,5 +39,15 @@ struct SkinnedCharacter {
 /// of a Free material; triangles of a body, where it is asked for. A faulty primitive is an error where it is
 /// worn, or of the body that is asked for.
 [[nodiscard]] Result<SkinnedCharacter> read_gltf(const std::filesystem::path& file, bool with_body = false);
+
+/// True if the file's name ends in .gltf or .glb.
+[[nodiscard]] bool is_gltf(const std::filesystem::path& file);
+
+/// True if a glTF file has a skin with joints: somebody who wears something. False where it cannot be read.
+[[nodiscard]] bool has_skin(const std::filesystem::path& file);
+
+/// All triangles of .gltf or .glb, where its nodes and skins put them, +Y up [m]. Errors name the file and
+/// what it lacks: triangles in a node's mesh, positions; and a primitive that is faulty.
+[[nodiscard]] Result<Mesh> read_gltf_mesh(const std::filesystem::path& file);
 
 }  // namespace weft::demo

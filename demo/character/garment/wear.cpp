@@ -1,5 +1,7 @@
 #include "demo/character/garment/wear.h"
 
+#include "demo/character/garment/garment_mesh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,11 +13,6 @@ namespace {
 constexpr int excused = 5;  // steps after a squeeze
 constexpr int parts = 4;    // of a triangle's sides, between sample points
 constexpr int long_ago = -1000;
-
-float rest_length_of(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
-    if (mesh.pattern.empty()) return (to_vector(mesh.positions[a]) - to_vector(mesh.positions[b])).norm();
-    return std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);
-}
 
 /// Penetration depth of a point [m], and whether two parts of the body press it from opposite sides.
 struct Depth {
@@ -77,7 +74,7 @@ WearMeter::WearMeter(const Mesh& mesh, float kept)
     for (const Triangle& t : mesh.triangles) {
         for (std::size_t c = 0; c < 3; ++c) {
             const auto edge = std::minmax(t[c], t[(c + 1) % 3]);
-            edges[edge] = rest_length_of(mesh, edge.first, edge.second);
+            edges[edge] = rest_length(mesh, edge.first, edge.second);
         }
     }
     for (const auto& [edge, rest] : edges) edges_.push_back({edge.first, edge.second, rest});

@@ -1,5 +1,8 @@
 #include "demo/character/motion/motion.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace weft::demo {
@@ -22,6 +25,79 @@ const JointAngles& Performance::at(double time) {
     if (since >= blend_in_) return moved_;
     blend(stance_, moved_, smooth_step(since / blend_in_), blended_);
     return blended_;
+}
+
+namespace {
+
+constexpr double longest_crossing = 0.25;  // blend of the end into the beginning [s]
+
+}  // namespace
+
+RecordedMotion::RecordedMotion(Recording recording) : recording_(std::move(recording)) {
+    find_round();
+    stand_on_the_spot();
+}
+
+/// Distance between the first frames and those that blend into them, if the motion repeats after `shift`
+/// frames. The sum ends at `most`: a long recording with a short frame time has 10^9 pairs of poses.
+double RecordedMotion::unlikeness(std::size_t shift, double most) const {
+    double sum = 0;
+    for (std::size_t frame = 0; frame < shared_ && sum < most; ++frame) {
+        const JointAngles &a = recording_.frames[frame], &b = recording_.frames[frame + shift];
+        for (std::size_t j = 0; j < a.rotations.size(); ++j)
+            sum += 1 - std::abs(static_cast<double>(a.rotations[j].dot(b.rotations[j])));
+    }
+    return sum;
+}
+
+void RecordedMotion::find_round() {
+    const std::size_t frames = recording_.frames.size();
+    const auto crossing = static_cast<std::size_t>(std::lround(longest_crossing / recording_.frame_time));
+    shared_ = std::min(std::max<std::size_t>(crossing, 1), frames / 4);
+    round_ = frames - shared_;
+    if (shared_ == 0) return;
+    double least = unlikeness(round_, std::numeric_limits<double>::infinity());
+    for (std::size_t shift = round_; shift-- > frames / 2;) {
+        const double found = unlikeness(shift, least);
+        if (found < least) std::tie(least, round_) = std::pair(found, shift);
+    }
+}
+
+void RecordedMotion::stand_on_the_spot() {
+    std::vector<JointAngles>& frames = recording_.frames;
+    const std::size_t last = std::min(round_, frames.size() - 1);
+    Vector3 way = frames[last].root - frames[0].root;
+    way.y() = 0;
+    if (last > 0) velocity_ = way / static_cast<float>(static_cast<double>(last) * recording_.frame_time);
+    Vector3 mean = Vector3::Zero();
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+        frames[frame].root -=
+            static_cast<float>(static_cast<double>(frame) * recording_.frame_time) * velocity_;
+        mean += frames[frame].root / static_cast<float>(frames.size());
+    }
+    for (JointAngles& frame : frames) frame.root -= Vector3(mean.x(), 0, mean.z());
+}
+
+double RecordedMotion::period() const {
+    return static_cast<double>(round_) * recording_.frame_time;
+}
+
+void RecordedMotion::sample(double frame, JointAngles& angles) const {
+    const auto last = static_cast<double>(recording_.frames.size() - 1);
+    const double within = std::clamp(frame, 0.0, last);
+    const auto first = static_cast<std::size_t>(within);
+    const std::size_t second = std::min(first + 1, recording_.frames.size() - 1);
+    blend(recording_.frames[first], recording_.frames[second],
+          static_cast<float>(within - std::floor(within)), angles);
+}
+
+void RecordedMotion::evaluate(double time, JointAngles& angles) {
+    const auto round = static_cast<double>(round_), shared = static_cast<double>(shared_);
+    const double frame = std::fmod(time / recording_.frame_time, round);
+    sample(frame, angles);
+    if (frame >= shared) return;
+    sample(frame + round, tail_);
+    blend(tail_, angles, smooth_step(frame / shared), angles);
 }
 
 }  // namespace weft::demo

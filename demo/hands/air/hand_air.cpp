@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "demo/hands/balls.h"
+#include "demo/hands/held_collider.h"
 #include "engine/vector.h"
 
 namespace weft::demo {

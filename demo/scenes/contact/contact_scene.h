@@ -3,13 +3,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "demo/scenes/holders.h"
+#include "demo/scenes/solids.h"
 #include "weft/weft.h"
 
 namespace weft::demo {
+
+class Scene;
 
 /// A cloth of a scene. If the mesh has a pattern, the pattern is its rest shape.
 struct PlacedCloth {
@@ -32,7 +36,7 @@ class SceneHandles {
     ~SceneHandles() = default;
 };
 
-/// What is drawn where a scene holds a cloth.
+/// The holder that is drawn where a scene holds a cloth.
 struct DrawnHolder {
     std::size_t cloth;
     Holder holder;
@@ -78,6 +82,15 @@ inline constexpr std::uint32_t quick_contact_particles = 1000;
 
 /// The scenes that are only shown.
 [[nodiscard]] std::vector<SceneMaker> shown_scenes();
+
+/// The camera of a scene on the demo's stage, relative to a view of all cloth at the start.
+struct StageView {
+    float nearer = 1;  ///< factor by which the camera is nearer than for all of it
+    float lower = 0;   ///< [m]
+    int check_steps = 90;
+};
+/// A scene of contact as a scene of the demo. Precondition: there is one of that name.
+[[nodiscard]] std::unique_ptr<Scene> make_contact_stage(std::string_view name, const StageView& view);
 
 /// All scenes but those that are only shown.
 [[nodiscard]] std::vector<SceneMaker> contact_scenes();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "demo/must.h"
 #include "demo/scene.h"
 #include "demo/scenes/contact/contact_scene.h"
 #include "demo/scenes/measures.h"
@@ -36,14 +37,7 @@ SceneCloth coloured(ClothId id, const PlacedCloth& cloth, std::size_t number) {
     return content;
 }
 
-/// The camera, relative to a view of all cloth at the start, and the steps until the check.
-struct View {
-    float nearer = 1;  ///< factor by which the camera is nearer than for all of it
-    float lower = 0;   ///< [m]
-    int check_steps = 90;
-};
-
-render::OrbitCamera camera_at(const ContactScene& scene, const View& view) {
+render::OrbitCamera camera_at(const ContactScene& scene, const StageView& view) {
     Vector3 lower = Vector3::Constant(1e9f), upper = -lower;
     for (const PlacedCloth& cloth : scene.cloths) {
         for (const Vec3& p : cloth.mesh.positions) {
@@ -63,7 +57,7 @@ render::OrbitCamera camera_at(const ContactScene& scene, const View& view) {
 
 class ContactStage final : public Scene {
   public:
-    ContactStage(SceneMaker maker, const View& view) : maker_(std::move(maker)), view_(view) {}
+    ContactStage(SceneMaker maker, const StageView& view) : maker_(std::move(maker)), view_(view) {}
 
     [[nodiscard]] WorldSettings world_settings() const override { return maker_.make(0).world; }
 
@@ -72,17 +66,15 @@ class ContactStage final : public Scene {
         SceneContent content;
         for (PlacedCloth& cloth : scene_.cloths) {
             cloth.settings.self_collision.method = SelfCollisionMethod::contact;
-            const auto id = world.add_cloth(cloth.mesh, cloth.settings);
-            if (!id) return id.error();
-            if (auto pinned = world.pin(*id, cloth.pins); !pinned) return pinned.error();
-            content.cloths.push_back(coloured(*id, cloth, content.cloths.size()));
-            cloths_.push_back(*id);
+            const auto id = must(world.add_cloth(cloth.mesh, cloth.settings));
+            must(world.pin(id, cloth.pins));
+            content.cloths.push_back(coloured(id, cloth, content.cloths.size()));
+            cloths_.push_back(id);
         }
         for (const Collider& collider : scene_.colliders) {
-            const auto id = world.add_collider(collider);
-            if (!id) return id.error();
-            colliders_.push_back(*id);
-            if (!std::holds_alternative<Plane>(collider.shape)) content.drawn_colliders.push_back(*id);
+            const auto id = must(world.add_collider(collider));
+            colliders_.push_back(id);
+            if (!std::holds_alternative<Plane>(collider.shape)) content.drawn_colliders.push_back(id);
         }
         content.camera = camera_at(scene_, view_);
         const Vec3& gravity = scene_.world.gravity;
@@ -111,10 +103,8 @@ class ContactStage final : public Scene {
         Checks checks;
         study::TriangleSoup soup;
         for (const ClothId id : cloths_) {
-            const auto view = world.cloth(id);
-            if (!view) return view.error();
-            checks.finite(*view);
-            soup.add(*view);
+            const ClothView view = checks.cloth(world, id);
+            soup.add(view);
         }
         if (soup.finite())
             checks.at_most("triangles that cross", static_cast<float>(study::count_crossings(soup).all), 0);
@@ -141,59 +131,18 @@ class ContactStage final : public Scene {
     };
 
     SceneMaker maker_;
-    View view_;
+    StageView view_;
     ContactScene scene_;
     std::vector<ClothId> cloths_;
     std::vector<ColliderId> colliders_;
 };
 
-/// Precondition: there is a scene of that name.
-std::unique_ptr<Scene> stage(std::string_view name, const View& view = {}) {
+}  // namespace
+
+std::unique_ptr<Scene> make_contact_stage(std::string_view name, const StageView& view) {
     std::vector<SceneMaker> makers = contact_scenes();
     for (SceneMaker& shown : shown_scenes()) makers.push_back(std::move(shown));
     return std::make_unique<ContactStage>(*std::ranges::find(makers, name, &SceneMaker::name), view);
-}
-
-}  // namespace
-
-std::unique_ptr<Scene> make_folddrop_scene() {
-    return stage("folddrop", {.nearer = 1.6f, .lower = 0.1f});
-}
-std::unique_ptr<Scene> make_stack_scene() {
-    return stage("stack 5 of cloths");
-}
-std::unique_ptr<Scene> make_layers_scene() {
-    return stage("stacked of cloths", {.nearer = 1.7f});
-}
-std::unique_ptr<Scene> make_crumple_scene() {
-    return stage("crumple", {.nearer = 1.6f, .lower = 0.25f});
-}
-std::unique_ptr<Scene> make_twist_scene() {
-    return stage("twist", {.nearer = 1.25f});
-}
-std::unique_ptr<Scene> make_release_scene() {
-    return stage("twist and release", {.nearer = 0.9f, .lower = -0.1f, .check_steps = 420});
-}
-std::unique_ptr<Scene> make_stack10_scene() {
-    return stage("ten sheets");
-}
-std::unique_ptr<Scene> make_gathered_scene() {
-    return stage("gathered");
-}
-std::unique_ptr<Scene> make_yank_scene() {
-    return stage("yank 10");
-}
-std::unique_ptr<Scene> make_meeting_scene() {
-    return stage("zero gravity of cloths", {.nearer = 0.8f});
-}
-std::unique_ptr<Scene> make_hammock_scene() {
-    return stage("dropped on of cloths", {.nearer = 1.4f, .lower = -0.35f});
-}
-std::unique_ptr<Scene> make_tangled_scene() {
-    return stage("tangled hung", {.nearer = 0.5f, .lower = 0.5f});
-}
-std::unique_ptr<Scene> make_crossed_scene() {
-    return stage("crossed 20");
 }
 
 }  // namespace weft::demo

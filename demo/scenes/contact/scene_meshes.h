@@ -40,7 +40,7 @@ struct Piece {
     return particles == 0 ? usual : particles;
 }
 
-/// Whether a scene's sheets are one cloth or several of one World.
+/// A scene's sheets are one cloth, or several of one World.
 enum class Made { one_mesh, cloths };
 [[nodiscard]] std::string named(const std::string& name, Made made);
 [[nodiscard]] std::vector<PlacedCloth> layered(const std::vector<Mesh>& sheets, Made made);

@@ -9,8 +9,8 @@
 
 #include "demo/study/accuracy/accuracy_rows.h"
 #include "demo/study/commands.h"
-#include "demo/study/study_progress.h"
-#include "demo/study/study_scenes.h"
+#include "demo/study/machine.h"
+#include "demo/study/run.h"
 
 namespace weft::study {
 

@@ -1,20 +1,44 @@
-#include "demo/study/accuracy/accuracy_chart.h"
+#include "demo/study/charts/charts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <ranges>
+#include <span>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
-#include "demo/study/charts/front.h"
 #include "demo/study/charts/gnuplot.h"
 #include "demo/study/machine.h"
 
 namespace weft::study {
 
 namespace {
+
+struct CostAndError {
+    double cost, error;
+};
+
+/// Indices of the points of which no other is as good in both and better in one (Pareto 1906), in ascending
+/// order of cost. Equal points are represented by the first.
+std::vector<std::size_t> front_of(std::span<const CostAndError> points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t i) { return std::tuple(points[i].cost, points[i].error); });
+    std::vector<std::size_t> front;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : order) {
+        if (points[i].error >= least) continue;
+        least = points[i].error;
+        front.push_back(i);
+    }
+    return front;
+}
 
 /// One chart that is drawn of every scene that has the column.
 struct Kind {

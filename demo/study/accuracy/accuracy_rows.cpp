@@ -1,10 +1,11 @@
 #include "demo/study/accuracy/accuracy_rows.h"
+#include "demo/headless/frame_table.h"
 
 #include <algorithm>
 #include <memory>
 #include <optional>
 
-#include "demo/study/accuracy/stretch.h"
+#include "demo/study/accuracy/motion_measures.h"
 #include "demo/study/machine.h"
 #include "demo/study/study_options.h"
 
@@ -12,7 +13,7 @@ namespace weft::study {
 
 namespace {
 
-constexpr int half_second = 30, second = 60;  // in frames
+constexpr int half_second = 30, one_second = 60;  // in frames
 
 std::string error_column(const std::string& from, int frame) {
     return from + (frame == half_second ? "_0.5s_mm" : "_1s_mm");
@@ -40,7 +41,7 @@ std::optional<Reference> own_reference(const Cloth& cloth) {
 }  // namespace
 
 std::vector<int> compared_frames(const StudyScene& scene) {
-    return scene.per_side > 0 ? std::vector{half_second, second} : std::vector{half_second};
+    return scene.per_side > 0 ? std::vector{half_second, one_second} : std::vector{half_second};
 }
 
 std::vector<std::string> accuracy_columns() {
@@ -48,7 +49,7 @@ std::vector<std::string> accuracy_columns() {
                                      "kappa",   "threads", "method", "label",     "setting",
                                      "default", "status",  "frames", "median_ms", "p99_ms"};
     for (const char* const from : {"truth", "own"})
-        for (const int frame : {half_second, second}) columns.push_back(error_column(from, frame));
+        for (const int frame : {half_second, one_second}) columns.push_back(error_column(from, frame));
     for (const char* const column : {"worst_stretch_percent", "mean_stretch_percent"})
         columns.emplace_back(column);
     return columns;
@@ -73,8 +74,8 @@ CsvRow identity(const StudyScene& scene, const MethodPoint& point, int threads) 
 
 void put_times(CsvRow& row, const std::vector<double>& milliseconds) {
     row["frames"] = std::to_string(milliseconds.size());
-    row["median_ms"] = number(quantile(milliseconds, 0.5));
-    row["p99_ms"] = number(quantile(milliseconds, 0.99));
+    row["median_ms"] = number(demo::percentile(milliseconds, 0.5));
+    row["p99_ms"] = number(demo::percentile(milliseconds, 0.99));
 }
 
 Measured measure_trajectory(const StudyScene& scene, const MethodPoint& point,

@@ -6,23 +6,24 @@
 #include <limits>
 #include <map>
 
+#include "demo/headless/frame_table.h"
 #include "demo/study/accuracy/motion_measures.h"
 #include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
 #include "demo/study/machine.h"
 #include "demo/study/reference/states.h"
-#include "demo/study/study_progress.h"
-#include "demo/study/study_scenes.h"
+#include "demo/study/run.h"
 
 namespace weft::study {
 
 namespace {
 
-const std::vector<std::string> columns{"machine",           "commit",      "method",       "per_side",
-                                       "truth_side",        "time",        "ms",           "energy_lost",
-                                       "energy_lost_truth", "truth_05_mm", "truth_1_mm",   "own_05_mm",
-                                       "own_1_mm",          "rest_s",      "speed_40_mms", "speed_30",
-                                       "speed_60",          "speed_120",   "speed_240"};
+const std::vector<std::string> motion_columns{
+    "machine",           "commit",      "method",       "per_side",
+    "truth_side",        "time",        "ms",           "energy_lost",
+    "energy_lost_truth", "truth_05_mm", "truth_1_mm",   "own_05_mm",
+    "own_1_mm",          "rest_s",      "speed_40_mms", "speed_30",
+    "speed_60",          "speed_120",   "speed_240"};
 const std::vector<std::string> keys{"method", "per_side", "truth_side"};
 
 /// Backward Euler and BDF2 at some numbers of passes and substeps. Times are relative to the first.
@@ -77,7 +78,7 @@ class Motion {
           sizes_(sizes_of(options)),
           hung_(hung_sheet(sizes_.truth, false)),
           swinging_(swinging_sheet(sizes_.swing)),
-          table_(options.csv, columns, options.resume) {
+          table_(options.csv, motion_columns, options.resume) {
         const std::filesystem::path beside = options.csv.parent_path() / "references";
         ReferenceStore store(options.cache.empty() ? beside : options.cache);
         std::fputs("the truth\n", stderr);
@@ -143,7 +144,7 @@ class Motion {
                 ratios.push_back(milliseconds.back() / usual);
             }
         }
-        return {quantile(ratios, 0.5), quantile(milliseconds, 0.5)};
+        return {demo::percentile(ratios, 0.5), demo::percentile(milliseconds, 0.5)};
     }
 
     void add_swings(const MethodPoint& point, CsvRow& row) const {

@@ -1,13 +1,47 @@
 #pragma once
-// Measures of a time scheme: energy and speed of a swing, and the time until cloth rests.
+// The energy of a cloth of springs, in double precision.
 
+#include <algorithm>
+#include <cstdint>
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
-#include "demo/study/accuracy/energy.h"
+#include "cloth/instance/cloth.h"
+#include "cloth/mesh/cook.h"
 #include "demo/study/run.h"
 
 namespace weft::study {
+
+struct Energy {
+    double kinetic = 0, elastic = 0, gravity = 0;  ///< [J]; gravity's is 0 at y = 0
+    [[nodiscard]] double total() const { return kinetic + elastic + gravity; }
+};
+
+[[nodiscard]] Energy energy_of(const Cloth& cloth, const Vec3& gravity);
+
+/// Worst and mean length over rest length of the structural springs.
+struct Stretch {
+    double worst, mean;
+};
+/// `positions`: of all particles [m].
+[[nodiscard]] inline Stretch structural_stretch(const ClothModel& model,
+                                                std::span<const Eigen::Vector3d> positions) {
+    Stretch stretch{0, 0};
+    std::size_t springs = 0;
+    for (std::uint32_t i = 0; i < model.particle_count; ++i) {
+        for (std::uint32_t e = model.spring_offsets[i]; e < model.spring_offsets[i + 1]; ++e) {
+            if (model.kinds[e] != SpringKind::structural) continue;
+            const double length = (positions[model.neighbours[e]] - positions[i]).norm();
+            const double ratio = length / static_cast<double>(model.rest_lengths[e]);
+            stretch.worst = std::max(stretch.worst, ratio);
+            stretch.mean += ratio;
+            ++springs;
+        }
+    }
+    if (springs > 0) stretch.mean /= static_cast<double>(springs);
+    return stretch;
+}
 
 /// A sheet of 1 m and 0.2 kg/m^2 that is held by one side and let go horizontal, with the bump of
 /// hung_sheet(), in a vacuum. In truth only its own damping takes energy.

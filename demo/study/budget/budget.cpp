@@ -2,12 +2,19 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
+#include <memory>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "demo/study/budget/budget_chart.h"
-#include "demo/study/budget/crowd.h"
+#include "cloth/simulation/simulation.h"
+#include "demo/headless/frame_table.h"
+#include "demo/study/charts/charts.h"
 #include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
 #include "demo/study/machine.h"
@@ -17,9 +24,98 @@ namespace weft::study {
 
 namespace {
 
-const std::vector<std::string> columns{"machine", "commit",     "kind",     "name",
-                                       "mean_ms", "p50_ms",     "p99_ms",   "chosen_p99_ms",
-                                       "budget",  "error_mrad", "off_mrad", "changes_per_s"};
+/// How a crowd is stepped.
+struct CrowdSettings {
+    Method method{};
+    int substeps = 1;
+    float budget = 0;        ///< [ms]
+    std::uint32_t rung = 0;  ///< of the budget's ladder, the same for all cloths; 0: the budget chooses
+};
+
+class Crowd {
+  public:
+    explicit Crowd(const CrowdSettings& settings);
+    /// Takes one step and returns its processor time [ms].
+    double step();
+    /// True if the camera sees the cloth; and the distance between them [m].
+    [[nodiscard]] bool is_seen(std::size_t cloth) const;
+    [[nodiscard]] float distance(std::size_t cloth) const { return distances_[cloth]; }
+    [[nodiscard]] std::size_t size() const { return cloths_.size(); }
+    [[nodiscard]] const Cloth& cloth(std::size_t i) const { return *cloths_[i]; }
+    [[nodiscard]] const Simulation& simulation() const { return simulation_; }
+
+  private:
+    Simulation simulation_;
+    std::vector<Cloth*> cloths_;
+    std::vector<float> angles_, distances_;
+    int steps_ = 0;
+};
+
+constexpr std::size_t count = 50;
+constexpr std::uint32_t side = 17;
+constexpr float frame = 1.0f / 60;
+constexpr float turn = 8;        // time of the camera's full turn [s]
+constexpr float half_sight = 1;  // half the camera's angle of view [rad]
+
+std::int64_t processor_nanoseconds() noexcept {
+    return static_cast<std::int64_t>(std::clock()) * (1'000'000'000 / CLOCKS_PER_SEC);
+}
+
+WorldSettings world_of(const CrowdSettings& settings) {
+    WorldSettings world;
+    world.wind.velocity = {0.5f, 0, 3};
+    world.wind.gust = 0.5f;
+    world.threads = 1;
+    world.budget = settings.rung > 0 ? 1000.0f : settings.budget;
+    return world;
+}
+
+Mesh curtain(float x, float z) {
+    return make_sheet({.rows = side, .columns = side, .origin = {x, 2, z}, .u = {1, 0, 0}, .v = {0, -1, 0}})
+        .value();
+}
+
+Crowd::Crowd(const CrowdSettings& settings) : simulation_(world_of(settings)) {
+    simulation_.clock = processor_nanoseconds;
+    simulation_.has_given_choices = settings.rung > 0;
+    ClothSettings of_cloth;
+    of_cloth.method = settings.method;
+    of_cloth.substeps = settings.substeps;
+    for (std::size_t i = 0; i < count; ++i) {
+        // Curtains stand all round, at distances that grow quadratically from 2 towards 60 m.
+        const float part = static_cast<float>(i) / count;
+        distances_.push_back(2 + 58 * part * part);
+        angles_.push_back(std::fmod(2.4f * static_cast<float>(i), 2 * std::numbers::pi_v<float>));
+        const Mesh mesh = curtain(distances_[i] * std::cos(angles_[i]), distances_[i] * std::sin(angles_[i]));
+        auto cloth = std::make_unique<Cloth>(cook(mesh).value(), of_cloth);
+        std::vector<std::uint32_t> upper_row;
+        for (std::uint32_t k = 0; k < side; ++k) upper_row.push_back(cloth->model.vertex_to_particle[k]);
+        cloth->pin(upper_row);
+        simulation_.prepare(*cloth);
+        if (settings.rung > 0) cloth->state.detail->rung = settings.rung;
+        cloths_.push_back(cloth.get());
+        simulation_.add(std::move(cloth));
+    }
+}
+
+bool Crowd::is_seen(std::size_t cloth) const {
+    const float ahead = 2 * std::numbers::pi_v<float> * static_cast<float>(steps_) * frame / turn;
+    return std::cos(angles_[cloth] - ahead) > std::cos(half_sight);
+}
+
+double Crowd::step() {
+    ++steps_;
+    for (std::size_t i = 0; i < size(); ++i) {
+        cloths_[i]->settings.importance = (is_seen(i) ? 1.0f : 0.02f) / distances_[i];
+    }
+    const std::int64_t begin = processor_nanoseconds();
+    simulation_.step(frame);
+    return 1e-6 * static_cast<double>(processor_nanoseconds() - begin);
+}
+
+const std::vector<std::string> budget_columns{"machine", "commit",     "kind",     "name",
+                                              "mean_ms", "p50_ms",     "p99_ms",   "chosen_p99_ms",
+                                              "budget",  "error_mrad", "off_mrad", "changes_per_s"};
 
 struct Candidate {
     std::string kind, name;
@@ -87,7 +183,7 @@ class ChosenWork {
 class BudgetStudy {
   public:
     explicit BudgetStudy(const StudyOptions& options)
-        : steps_(options.quick ? 240 : 960), table_(options.csv, columns, options.resume) {
+        : steps_(options.quick ? 240 : 960), table_(options.csv, budget_columns, options.resume) {
         std::fputs("the truth, and the cloth as it is set\n", stderr);
         truth_ = motion_of({.substeps = 8});
         as_set_ = motion_of({});
@@ -166,8 +262,8 @@ class BudgetStudy {
         }
         double mean = 0;
         for (const double time : times) mean += time / static_cast<double>(times.size());
-        const double p50 = quantile(times, 0.5), p99 = quantile(times, 0.99),
-                     chosen_p99 = quantile(chosen.times(), 0.99);
+        const double p50 = demo::percentile(times, 0.5), p99 = demo::percentile(times, 0.99),
+                     chosen_p99 = demo::percentile(chosen.times(), 0.99);
         const double error = 1e3 * std::sqrt(squares / number_of),
                      from_set = 1e3 * std::sqrt(off / number_of);
         std::printf(

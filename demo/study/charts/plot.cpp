@@ -1,38 +1,29 @@
+#include <algorithm>
 #include <stdexcept>
 
-#include "demo/study/accuracy/accuracy_chart.h"
-#include "demo/study/budget/budget_chart.h"
-#include "demo/study/charts/csv.h"
+#include "demo/study/charts/charts.h"
 #include "demo/study/commands.h"
-#include "demo/study/contact/contact_chart.h"
-#include "demo/study/contact/contact_table.h"
-#include "demo/study/contact/searches.h"
-#include "demo/study/physics/physics_chart.h"
-#include "demo/study/physics/physics_table.h"
-#include "demo/study/stability/stability_causes.h"
-#include "demo/study/stability/stability_chart.h"
 
 namespace weft::study {
+namespace {
+
+constexpr struct {
+    bool (*recognises)(const CsvTable&);
+    void (*draw)(const CsvTable&, const std::filesystem::path& folder);
+} kinds[] = {{is_accuracy_table, draw_accuracy}, {is_stability_table, draw_stability},
+             {is_physics_table, draw_physics},   {is_contact_table, draw_contact},
+             {is_searches_table, draw_searches}, {is_budget_table, draw_budget}};
+
+}  // namespace
 
 int run_plot(const PlotOptions& options) {
     for (const std::filesystem::path& file : options.csv) {
         const CsvTable table = read_csv(file);
-        if (is_accuracy_table(table)) {
-            draw_accuracy(table, options.out);
-        } else if (is_stability_table(table)) {
-            draw_stability(table, options.out);
-            write_causes(table, options.out);
-        } else if (is_physics_table(table)) {
-            draw_physics(table, options.out);
-        } else if (is_contact_table(table)) {
-            draw_contact(table, options.out);
-        } else if (is_searches_table(table)) {
-            draw_searches(table, options.out);
-        } else if (is_budget_table(table)) {
-            draw_budget(table, options.out);
-        } else {
+        const auto kind =
+            std::ranges::find_if(kinds, [&](const auto& each) { return each.recognises(table); });
+        if (kind == std::end(kinds))
             throw std::runtime_error(file.string() + " is no table that weft_study wrote");
-        }
+        kind->draw(table, options.out);
     }
     return 0;
 }

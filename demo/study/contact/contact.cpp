@@ -8,9 +8,7 @@
 #include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
 #include "demo/study/contact/contact_table.h"
-#include "demo/study/contact/searches.h"
 #include "demo/study/machine.h"
-#include "demo/study/study_progress.h"
 
 namespace weft::study {
 

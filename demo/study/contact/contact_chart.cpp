@@ -1,4 +1,4 @@
-#include "demo/study/contact/contact_chart.h"
+#include "demo/study/charts/charts.h"
 
 #include <algorithm>
 #include <array>

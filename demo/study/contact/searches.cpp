@@ -1,4 +1,4 @@
-#include "demo/study/contact/searches.h"
+// weft_study contact --searches: recall, distance tests and time of the broad phases of avoidance.
 
 #include <algorithm>
 #include <array>
@@ -11,19 +11,47 @@
 #include "cloth/mesh/cook.h"
 #include "collision/particles/rest_neighbours.h"
 #include "collision/particles/self_contacts.h"
+#include "demo/must.h"
+#include "demo/study/charts/charts.h"
+#include "demo/study/charts/csv.h"
 #include "demo/study/charts/gnuplot.h"
 #include "demo/study/commands.h"
 #include "demo/study/machine.h"
-#include "demo/study/must.h"
-#include "demo/study/study_progress.h"
 #include "weft/mesh.h"
 
 namespace weft::study {
 
 namespace {
 
+/// A square sheet of 1 m, flat or crumpled, with `side` particles a side. Particles nearer than `edges` edges
+/// are to be found.
+struct SearchCase {
+    bool crumpled = true;
+    std::uint32_t side = 64;
+    double edges = 0.75;
+};
+
+struct SearchResult {
+    double pairs = 0;   ///< per particle, by brute force; at most a list's capacity
+    double recall = 0;  ///< share of these that was found; 1 where there are none
+    double tests = 0;   ///< distances computed per particle, a pair's from both sides
+    double ns = 0;      ///< median time per particle of sort and search
+};
+
 constexpr std::array searches{SelfCollisionSearch::exact, SelfCollisionSearch::shifted_grids,
                               SelfCollisionSearch::sorted_sweep};
+
+const char* name_of(SelfCollisionSearch search) {
+    switch (search) {
+        case SelfCollisionSearch::exact:
+            return "exact";
+        case SelfCollisionSearch::shifted_grids:
+            return "shifted grids";
+        case SelfCollisionSearch::sorted_sweep:
+            return "sorted sweep";
+    }
+    return "";
+}
 
 /// The positions of a sheet, and its pairs that are near at rest.
 struct SearchedSheet {
@@ -186,20 +214,7 @@ CsvRow row_of(const SearchCase& of, int threads, SelfCollisionSearch search, con
             {"ns", number(result.ns)}};
 }
 
-}  // namespace
-
-const char* name_of(SelfCollisionSearch search) {
-    switch (search) {
-        case SelfCollisionSearch::exact:
-            return "exact";
-        case SelfCollisionSearch::shifted_grids:
-            return "shifted grids";
-        case SelfCollisionSearch::sorted_sweep:
-            return "sorted sweep";
-    }
-    return "";
-}
-
+/// Results of exact, shifted grids and sorted sweep, in this order, timed in turn.
 std::vector<SearchResult> measure_searches(const SearchCase& search_case, int threads, int repeats) {
     using Clock = std::chrono::steady_clock;
     const SearchedSheet sheet(search_case);
@@ -232,6 +247,8 @@ std::vector<SearchResult> measure_searches(const SearchCase& search_case, int th
     }
     return results;
 }
+
+}  // namespace
 
 int run_searches(const StudyOptions& options) {
     const std::vector<SearchCase> cases = chosen(options.quick);

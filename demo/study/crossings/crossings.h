@@ -1,20 +1,33 @@
 #pragma once
-// Finds triangles of cloth that have passed through each other. This judges contact, and so shares nothing
-// with it.
-//
-// Two triangles that share no vertex cross if each has corners strictly on both sides of the other's plane,
-// and their interiors, without edges and corners, have a point in common. So touching is no crossing: a
-// corner in a plane, an edge on an edge, triangles in one plane, faces that coincide. All decisions are signs
-// of volumes, which are exact for floats, degenerate cases included.
+// The triangles of all cloths of a World together, for the search for crossings.
 
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "demo/study/crossings/triangle_soup.h"
+#include "weft/mesh.h"
+#include "weft/world.h"
 
 namespace weft::study {
 
+struct TriangleSoup {
+    std::vector<Vec3> points;           ///< [m]
+    std::vector<Triangle> triangles;    ///< indices of points; triangles with a common index share a vertex
+    std::vector<std::uint32_t> bodies;  ///< cloth of each triangle, from 0 on
+
+    /// Appends a cloth's particles and triangles as one more body.
+    void add(const ClothView& cloth);
+    void add_body(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
+    [[nodiscard]] bool share_a_vertex(std::uint32_t first, std::uint32_t second) const;
+    [[nodiscard]] bool finite() const;
+};
+
+/// The test of two triangles. It judges contact, and so shares nothing with it.
+///
+/// Two triangles that share no vertex cross if each has corners strictly on both sides of the other's plane,
+/// and their interiors, without edges and corners, have a point in common. So touching is no crossing: a
+/// corner in a plane, an edge on an edge, triangles in one plane, faces that coincide. All decisions are
+/// signs of volumes, which are exact for floats, degenerate cases included.
 [[nodiscard]] bool triangles_cross(const TriangleSoup& soup, std::uint32_t first, std::uint32_t second);
 
 /// The pairs that cross, the smaller index first, in ascending order. Positions have to be finite.

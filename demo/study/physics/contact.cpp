@@ -5,10 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "demo/study/must.h"
+#include "demo/must.h"
 #include "demo/study/physics/experiment.h"
 #include "demo/study/physics/known_answers.h"
-#include "demo/study/physics/physics_test.h"
+#include "demo/study/physics/physics_table.h"
 
 namespace weft::study {
 

@@ -5,8 +5,9 @@
 #include <complex>
 #include <numbers>
 
+#include "demo/learn/drape.h"
 #include "demo/study/physics/experiment.h"
-#include "demo/study/physics/physics_test.h"
+#include "demo/study/physics/physics_table.h"
 
 namespace weft::study {
 
@@ -21,38 +22,6 @@ struct Drape {
     int folds;           ///< the strongest wave of the rim's distance from the axis
     std::uint32_t vertices;
 };
-
-/// Area of the shadow straight below, by rays through squares of 0.5 mm [m^2].
-double shadow_area(const Experiment& cloth) {
-    constexpr int across = 720;
-    constexpr double half = 0.18, square = 2 * half / across;
-    std::vector<char> dark(across * across);
-    const auto index = [&](double x) { return std::clamp((x + half) / square - 0.5, 0.0, across - 1.0); };
-    for (const auto& [a, b, c] : cloth.mesh().triangles) {
-        const Vec3 p[3]{cloth.at(a), cloth.at(b), cloth.at(c)};
-        const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
-        const auto [z0, z1] = std::minmax({p[0].z, p[1].z, p[2].z});
-        const auto side = [&](int k, double x, double z) {
-            const Vec3 &from = p[k], &to = p[(k + 1) % 3];
-            return (static_cast<double>(to.x) - static_cast<double>(from.x)) *
-                       (z - static_cast<double>(from.z)) -
-                   (static_cast<double>(to.z) - static_cast<double>(from.z)) *
-                       (x - static_cast<double>(from.x));
-        };
-        for (int j = static_cast<int>(std::ceil(index(static_cast<double>(z0))));
-             j <= index(static_cast<double>(z1)); ++j) {
-            for (int i = static_cast<int>(std::ceil(index(static_cast<double>(x0))));
-                 i <= index(static_cast<double>(x1)); ++i) {
-                const double x = (i + 0.5) * square - half, z = (j + 0.5) * square - half;
-                const double s[3]{side(0, x, z), side(1, x, z), side(2, x, z)};
-                if (std::ranges::all_of(s, [](double v) { return v >= 0; }) ||
-                    std::ranges::all_of(s, [](double v) { return v <= 0; }))
-                    dark[static_cast<std::size_t>(j * across + i)] = 1;
-            }
-        }
-    }
-    return static_cast<double>(std::ranges::count(dark, 1)) * square * square;
-}
 
 /// The strongest wave of the rim's distance from the axis. `rim`: vertices evenly spread in angle.
 int strongest_wave(const Experiment& cloth, const std::vector<std::uint32_t>& rim) {
@@ -74,25 +43,27 @@ int strongest_wave(const Experiment& cloth, const std::vector<std::uint32_t>& ri
     return best;
 }
 
-/// Drapes a mesh over a table of 18 cm diameter. almost_flat() has bumps of 0.2 mm, so that the test and not
-/// rounding decides where folds begin.
-Drape hang(const Mesh& mesh, const ClothSettings& settings, double flat_area,
-           const std::function<bool(Vec2)>& is_rim) {
-    Experiment cloth(mesh, settings);
-    cloth.pin([](Vec2 p) { return std::hypot(p.x, p.y) < static_cast<float>(table_radius) * 1.0001f; });
-    cloth.change([](ClothSettings& each) { each.air_damping = 1; });
-    cloth.run(2);
-    cloth.come_to_rest(3, 18, 1e-3f);
-    const double table_area = pi * table_radius * table_radius;
-    return {(shadow_area(cloth) - table_area) / (flat_area - table_area),
-            strongest_wave(cloth, cloth.vertices(is_rim)), static_cast<std::uint32_t>(mesh.pattern.size())};
-}
-
 Vec3 almost_flat(Vec2 p) {
     std::uint32_t bits = 0;
     for (const float each : {p.x, p.y})
         bits = bits * 7919u + static_cast<std::uint32_t>(std::lround(each * 1e5f));
     return {p.x, std::hypot(p.x, p.y) < 0.091f ? 0 : 2e-4f * noise(bits), p.y};
+}
+
+/// Drapes a mesh over a table of 18 cm diameter. Bumps of 0.2 mm decide where folds begin; rounding would
+/// without them.
+Drape hang(Mesh mesh, const ClothSettings& settings, double flat_area,
+           const std::function<bool(Vec2)>& is_rim) {
+    for (std::size_t i = 0; i < mesh.pattern.size(); ++i) mesh.positions[i] = almost_flat(mesh.pattern[i]);
+    Experiment cloth(mesh, settings);
+    cloth.pin([](Vec2 p) { return std::hypot(p.x, p.y) < static_cast<float>(table_radius) * 1.0001f; });
+    cloth.change([](ClothSettings& each) { each.air_damping = 1; });
+    cloth.run(2);
+    cloth.come_to_rest(3, 18, 1e-3f);
+    const auto shadow = static_cast<double>(demo::shadow_area(mesh, *cloth.world().cloth(cloth.cloth())));
+    const double table_area = pi * table_radius * table_radius;
+    return {(shadow - table_area) / (flat_area - table_area), strongest_wave(cloth, cloth.vertices(is_rim)),
+            static_cast<std::uint32_t>(mesh.pattern.size())};
 }
 
 Drape drape_of(ForceModel model, double bending, std::uint32_t rings) {
@@ -104,7 +75,7 @@ Drape drape_of(ForceModel model, double bending, std::uint32_t rings) {
         // Area of the regular polygon that the rim is.
         const double corners = 6 * rings,
                      flat = 0.5 * corners * disc_radius * disc_radius * std::sin(2 * pi / corners);
-        return hang(disc_mesh(disc_radius, rings, almost_flat), settings, flat,
+        return hang(demo::drape_disc(static_cast<float>(disc_radius), rings, {}), settings, flat,
                     [](Vec2 p) { return std::hypot(p.x, p.y) > static_cast<float>(disc_radius) * 0.9999f; });
     }
     // A square of the disc's area, since sheets are rectangles.
@@ -112,12 +83,8 @@ Drape drape_of(ForceModel model, double bending, std::uint32_t rings) {
     const std::uint32_t cells = static_cast<std::uint32_t>(std::lround(std::sqrt(3.0) * rings));
     Mesh mesh = strip_mesh(model, {side, side, cells}, [](Vec2) { return Vec3{}; });
     const auto half = static_cast<float>(side / 2);
-    for (std::size_t i = 0; i < mesh.pattern.size(); ++i) {
-        Vec2& p = mesh.pattern[i];
-        p = {p.x - half, p.y - half};
-        mesh.positions[i] = almost_flat(p);
-    }
-    return hang(mesh, settings, side * side,
+    for (Vec2& p : mesh.pattern) p = {p.x - half, p.y - half};
+    return hang(std::move(mesh), settings, side * side,
                 [half](Vec2 p) { return std::max(std::abs(p.x), std::abs(p.y)) > half * 0.9999f; });
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "demo/study/must.h"
+#include "demo/must.h"
 
 namespace weft::study {
 

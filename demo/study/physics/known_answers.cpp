@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "demo/learn/drape.h"
+
 namespace weft::study {
 
 namespace {
@@ -49,24 +51,8 @@ double HangingStrip::chord_degrees() const {
 }
 
 HangingStrip heavy_elastica(double gamma) {
-    // State: theta, theta', x, drop.
-    const auto shoot = [&](double curvature, const auto& visit) {
-        return integrate<4>(
-            {0, curvature, 0, 0}, 1,
-            [&](double s, const std::array<double, 4>& y) -> std::array<double, 4> {
-                return {y[1], -gamma * (1 - s) * std::cos(y[0]), std::cos(y[0]), std::sin(y[0])};
-            },
-            visit);
-    };
-    // Too little curvature at the clamp turns before the end; too much passes the vertical or ends bent.
-    const auto too_much = [&](double curvature) {
-        bool passed = false;
-        const auto end = shoot(curvature, [&](const std::array<double, 4>& y) { passed |= y[0] > pi / 2; });
-        return passed || end[1] > 0;
-    };
-    const double curvature = bisect(0, std::max(1.0, gamma), too_much);
-    const auto end = shoot(curvature, [](const auto&) {});
-    return {.drop = end[3], .reach = end[2]};
+    const Vec2 end = demo::elastica_curve(gamma, 2).back();
+    return {.drop = -static_cast<double>(end.y), .reach = static_cast<double>(end.x)};
 }
 
 double lateral_buckling_gamma() {

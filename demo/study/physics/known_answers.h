@@ -8,8 +8,7 @@ struct HangingStrip {
     double drop, reach;                          ///< of the free end below the clamp, and out from it
     [[nodiscard]] double chord_degrees() const;  ///< below the horizontal, from the clamp to the free end
 };
-/// The heavy elastica (Euler 1744): theta'' = -Gamma (1 - s) cos theta, theta(0) = 0, theta'(1) = 0, with
-/// Gamma = areal density * gravity * length^3 / rigidity, from 0 to 50.
+/// The heavy elastica, from 0 to 100 (demo/learn/elastica.h).
 [[nodiscard]] HangingStrip heavy_elastica(double gamma);
 
 /// Gamma at which a narrow strip clamped with its width upright gives way sideways under its weight, for

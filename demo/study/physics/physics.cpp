@@ -8,8 +8,6 @@
 #include "demo/study/commands.h"
 #include "demo/study/machine.h"
 #include "demo/study/physics/physics_table.h"
-#include "demo/study/physics/physics_test.h"
-#include "demo/study/study_progress.h"
 
 namespace weft::study {
 

@@ -1,4 +1,4 @@
-#include "demo/study/physics/physics_chart.h"
+#include "demo/study/charts/charts.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "demo/study/charts/gnuplot.h"
 #include "demo/study/machine.h"
-#include "demo/study/physics/physics_test.h"
+#include "demo/study/physics/physics_table.h"
 
 namespace weft::study {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "demo/study/charts/charts.h"
+
 namespace weft::study {
 
 namespace {

@@ -13,11 +13,6 @@ Vec2 point(double x, double y) {
     return {static_cast<float>(x), static_cast<float>(y)};
 }
 
-void put_in_place(Mesh& mesh, const Place& place) {
-    mesh.positions.clear();
-    for (const Vec2& p : mesh.pattern) mesh.positions.push_back(place(p));
-}
-
 std::uint32_t number_of(double parts) {
     return static_cast<std::uint32_t>(std::max(1.0, std::round(parts)));
 }
@@ -88,39 +83,8 @@ ClothSettings made_of(ForceModel model, const Fabric& fabric) {
 
 Mesh strip_mesh(ForceModel model, const Strip& strip, const Place& place) {
     Mesh mesh = model == ForceModel::sheet ? sheet_mesh(strip) : triangle_mesh(strip);
-    put_in_place(mesh, place);
-    return mesh;
-}
-
-Mesh disc_mesh(double radius, std::uint32_t rings, const Place& place) {
-    Mesh mesh;
-    mesh.pattern.push_back({0, 0});
-    struct Node {
-        double angle;
-        std::uint32_t vertex;
-    };
-    std::vector<Node> inner{{0, 0}};  // the ends of a ring are one vertex; the centre is only one
-    for (std::uint32_t ring = 1; ring <= rings; ++ring) {
-        const double spacing = 2 * std::numbers::pi / (6 * ring), r = radius * ring / rings;
-        const double start = spacing * 0.5 * static_cast<double>(noise(ring));
-        std::vector<Node> outer;
-        for (std::uint32_t k = 0; k < 6 * ring; ++k) {
-            outer.push_back({start + spacing * k, static_cast<std::uint32_t>(mesh.pattern.size())});
-            mesh.pattern.push_back(point(r * std::cos(outer.back().angle), r * std::sin(outer.back().angle)));
-        }
-        outer.push_back({start + 2 * std::numbers::pi, outer.front().vertex});
-        // Between two rings, whichever next node comes first ends the next triangle.
-        std::size_t i = 0, o = 0;
-        while (i + 1 < inner.size() || o + 1 < outer.size()) {
-            const bool on_outer =
-                i + 1 == inner.size() || (o + 1 < outer.size() && outer[o + 1].angle <= inner[i + 1].angle);
-            const std::uint32_t next = on_outer ? outer[o + 1].vertex : inner[i + 1].vertex;
-            mesh.triangles.push_back({inner[i].vertex, outer[o].vertex, next});
-            ++(on_outer ? o : i);
-        }
-        inner = std::move(outer);
-    }
-    put_in_place(mesh, place);
+    mesh.positions.clear();
+    for (const Vec2& p : mesh.pattern) mesh.positions.push_back(place(p));
     return mesh;
 }
 

@@ -34,10 +34,6 @@ struct Strip {
 };
 [[nodiscard]] Mesh strip_mesh(ForceModel model, const Strip& strip, const Place& place);
 
-/// A disc about the pattern's origin, of `rings` rings of which ring k has 6 k particles, each turned by
-/// some part of its spacing, so that the mesh prefers no number of folds.
-[[nodiscard]] Mesh disc_mesh(double radius, std::uint32_t rings, const Place& place);
-
 /// A pseudo-random value from -1 to 1, always the same for the same `number`.
 [[nodiscard]] float noise(std::uint32_t number);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cloth/fabric/membrane.h"
-#include "demo/study/stability/stiffest_modes.h"
+#include "demo/study/stability/stability_causes.h"
 #include "demo/study/study_options.h"
 
 namespace weft::study {

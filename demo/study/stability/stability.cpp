@@ -7,20 +7,19 @@
 #include "demo/study/charts/csv.h"
 #include "demo/study/commands.h"
 #include "demo/study/machine.h"
+#include "demo/study/stability/stability_causes.h"
 #include "demo/study/stability/stability_cell.h"
 #include "demo/study/stability/stability_points.h"
-#include "demo/study/stability/stiffest_modes.h"
-#include "demo/study/study_progress.h"
 
 namespace weft::study {
 
 namespace {
 
-const std::vector<std::string> columns{"machine",     "commit",   "method",       "label",    "default",
-                                       "family",      "per_side", "seconds",      "start",    "stiffness",
-                                       "hz",          "verdict",  "broken",       "lasted_s", "energy_rise",
-                                       "energy_gain", "stretch",  "hang_stretch", "height_m", "hang_height_m",
-                                       "h_s",         "h_omega",  "left"};
+const std::vector<std::string> stability_columns{
+    "machine",  "commit",        "method",      "label",       "default", "family",
+    "per_side", "seconds",       "start",       "stiffness",   "hz",      "verdict",
+    "broken",   "lasted_s",      "energy_rise", "energy_gain", "stretch", "hang_stretch",
+    "height_m", "hang_height_m", "h_s",         "h_omega",     "left"};
 const std::vector<std::string> keys{"method", "per_side", "start", "stiffness", "hz"};
 
 struct Axes {
@@ -33,7 +32,7 @@ class Maps {
   public:
     explicit Maps(const StudyOptions& options)
         : sheet_(sheet_of(options)),
-          table_(options.csv, columns, options.resume),
+          table_(options.csv, stability_columns, options.resume),
           parallel_(thread_count(options.threads)),
           machine_(machine_name()),
           commit_(commit_name()),

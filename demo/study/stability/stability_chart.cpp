@@ -1,11 +1,12 @@
-#include "demo/study/stability/stability_chart.h"
+#include "demo/study/charts/charts.h"
+#include "demo/study/stability/stability_causes.h"
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <vector>
 
-#include "demo/study/charts/canvas.h"
+#include "demo/study/charts/gnuplot.h"
 #include "demo/study/machine.h"
 #include "demo/study/stability/stability_cell.h"
 
@@ -189,6 +190,7 @@ void draw_stability(const CsvTable& table, const std::filesystem::path& folder) 
         const Rows rows = rows_with(all, "start", start);
         StartMaps(rows, start).draw(folder / ("stability-" + start), origin_of(table, "stability"));
     }
+    write_causes(table, folder);
 }
 
 }  // namespace weft::study

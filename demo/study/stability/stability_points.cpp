@@ -1,8 +1,7 @@
 #include "demo/study/stability/stability_points.h"
 
-#include "demo/study/stability/cholesky.h"
-#include "demo/study/stability/explicit_euler.h"
-#include "demo/study/stability/stiffest_modes.h"
+#include "demo/study/stability/stability_causes.h"
+#include "demo/study/stability/study_solvers.h"
 
 namespace weft::study {
 

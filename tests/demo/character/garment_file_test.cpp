@@ -1,11 +1,20 @@
 // Garments from files, and the materials that say what of them is simulated.
 
-#include "demo/character/garment/garment_file.h"
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "demo/character/character.h"
+#include "demo/character/garment/garment_file.h"
+#include "demo/character/garment/garment_mesh.h"
+#include "demo/character/garment/painted_maps.h"
 #include "tests/demo/character/temporary_file.h"
 #include "tests/demo/garments.h"
 
 namespace weft::demo {
+
 namespace {
 
 /// A strip of four rows of two vertices: the upper quad is of `upper`, the two lower ones of `lower`. Its
@@ -115,5 +124,207 @@ TEST(GarmentFile, ErrorsNameWhatIsWrong) {
     EXPECT_EQ(missing.error().code, ErrorCode::file_not_found);
 }
 
+// Maps by vertex from a garment's file and from beside it.
+
+/// A square of four vertices, one with two texture coordinates, the upper two fixed.
+constexpr const char* square = R"(v 0 0.5 0 1 0 0
+v 0.5 0.5 0 1 0.5 0
+v 0 0 0.3 0.25 1 0
+v 0.5 0 0.3 0 0 1
+vt 0 0
+vt 0.5 0
+vt 0.5 0.5
+usemtl Top
+f 1/1 3/1 2/2
+usemtl BottomFree
+f 2/2 3/3 4/3
+)";
+
+Result<Garment> with_maps(const std::string& maps, const std::string& obj = square) {
+    const TemporaryFile file("painted.obj", obj);
+    std::filesystem::path beside = file.path();
+    beside.replace_extension(".maps");
+    std::ofstream(beside, std::ios::binary) << maps;
+    auto read = read_garment(file.path());
+    std::filesystem::remove(beside);
+    return read;
+}
+
+std::vector<float> values_of(const Garment& garment, Map map) {
+    const auto found = std::ranges::find(garment.maps, map, &PaintedMap::map);
+    return found == garment.maps.end() ? std::vector<float>() : found->values;
+}
+
+TEST(PaintedMaps, AreReadByNumberAndByColour) {
+    const auto garment = with_maps(
+        "# a comment\nleash all 0.2\nleash 2-3 0.1 # nearer\n\nfriction red 4\nstiffness green 2\nmass 4 "
+        "3\n");
+    ASSERT_TRUE(garment.ok()) << garment.error().message;
+    // The third vertex has two texture coordinates: the last of the mesh is split off it.
+    ASSERT_EQ(garment->mesh.positions.size(), 5u);
+    EXPECT_EQ(values_of(*garment, Map::leash), (std::vector<float>{0.2f, 0.1f, 0.1f, 0.2f, 0.1f}));
+    EXPECT_EQ(values_of(*garment, Map::friction), (std::vector<float>{4, 4, 1, 0, 1}));
+    EXPECT_EQ(values_of(*garment, Map::stiffness), (std::vector<float>{0, 1, 2, 0, 2}));
+    EXPECT_EQ(values_of(*garment, Map::mass), (std::vector<float>{1, 1, 1, 3, 1})) << "what is not named";
+    EXPECT_TRUE(values_of(*garment, Map::thickness).empty());
+}
+
+TEST(PaintedMaps, PinsAreFixed) {
+    const auto without = with_maps("");
+    ASSERT_TRUE(without.ok()) << without.error().message;
+    EXPECT_EQ(without->fixed, (std::vector<std::uint32_t>{0}));
+    EXPECT_TRUE(without->maps.empty());
+    const auto garment = with_maps("pin red 1\n");
+    ASSERT_TRUE(garment.ok()) << garment.error().message;
+    EXPECT_EQ(garment->fixed, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_TRUE(garment->maps.empty());
+}
+
+TEST(PaintedMaps, ErrorsNameTheLine) {
+    for (const auto& [maps, what] : {std::pair("leash all 1\nlash all 1\n", ":2: there is no map lash"),
+                                     {"leash 0 1\n", ":1: \"0\" are no vertices"},
+                                     {"leash 2-5 1\n", "from 1 to 4"},
+                                     {"leash 3-2 1\n", "\"3-2\" are no vertices"},
+                                     {"leash purple 1\n", "\"purple\" are no vertices"},
+                                     {"leash all far\n", "a map, vertices and a number"},
+                                     {"leash all 1 2\n", "a map, vertices and a number"}}) {
+        const auto garment = with_maps(maps);
+        ASSERT_FALSE(garment.ok()) << maps;
+        EXPECT_NE(garment.error().message.find(what), std::string::npos) << garment.error().message;
+        EXPECT_NE(garment.error().message.find(".maps"), std::string::npos) << garment.error().message;
+    }
+    std::string plain = square;
+    plain.replace(plain.find("0.5 0.5 0 1 0.5 0"), 17, "0.5 0.5 0");
+    EXPECT_NE(with_maps("leash red 1\n", plain).error().message.find("have no colours"), std::string::npos);
+}
+
+/// A garment whose leashes are written beside it stays by them to where the body has it.
+TEST(PaintedMaps, LeashesHoldADressToTheBody) {
+    Pose pose;
+    CharacterSettings settings;
+    settings.particles = 300;
+    const Character plain = std::move(Character::create(settings)).value();
+    place_joints(plain.skeleton(), plain.body().stance(plain.skeleton(), Fit().arms), pose);
+    const Garment dress = make_dress(plain.body(), pose, 300);
+    std::string obj;
+    const auto line = [&](const char* format, auto... values) {
+        char text[96];
+        std::snprintf(text, sizeof text, format, values...);
+        obj += text;
+    };
+    for (const Vec3& p : dress.mesh.positions)
+        line("v %.9g %.9g %.9g\n", static_cast<double>(p.x), static_cast<double>(p.y),
+             static_cast<double>(p.z));
+    std::vector<bool> fixed(dress.mesh.positions.size());
+    for (const std::uint32_t v : dress.fixed) fixed[v] = true;
+    for (const bool free : {false, true}) {
+        obj += free ? "usemtl SkirtFree\n" : "usemtl Top\n";
+        for (const Triangle& t : dress.mesh.triangles)
+            if ((fixed[t[0]] && fixed[t[1]] && fixed[t[2]]) != free)
+                line("f %u %u %u\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    }
+    const TemporaryFile file("leashed.obj", obj);
+    std::filesystem::path beside = file.path();
+    beside.replace_extension(".maps");
+    for (const char* maps : {"leash all 0.02\nbackstop all 0.01\n", "leash all 50\n"}) {
+        std::ofstream(beside, std::ios::binary) << maps;
+        settings.garment = file.path();
+        auto made = Character::create(settings);
+        ASSERT_TRUE(made.ok()) << made.error().message;
+        auto world = World::create({.threads = 1});
+        ASSERT_TRUE(made->enter(*world).ok());
+        float farthest = 0;
+        for (int step = 0; step < 150; ++step) {
+            made->before_step(*world, step / 60.0, 1.0f / 60);
+            world->step(1.0f / 60);
+            const ClothView& view = *world->cloth(made->cloth());
+            for (std::size_t v = 0; v < made->skin_targets().size(); ++v) {
+                const Vec4& p = view.positions[view.vertex_to_particle[v]];
+                if (p.w > 0)
+                    farthest = std::max(farthest, (xyz(p) - to_vector(made->skin_targets()[v])).norm());
+            }
+        }
+        if (maps[10] == '0' && maps[11] == '.')
+            EXPECT_LT(farthest, 0.0201f);
+        else
+            EXPECT_GT(farthest, 0.03f) << "nothing else holds it so near";
+    }
+    std::filesystem::remove(beside);
+}
+
+constexpr std::uint32_t around = 12;
+
+/// A tube along +Z from 0 to 1, radius 0.5, slit along one line of its pattern as sewn cloth is: the seam's
+/// two sides are two vertices at one position.
+Mesh tube() {
+    Mesh mesh;
+    for (std::uint32_t ring = 0; ring < 3; ++ring) {
+        for (std::uint32_t i = 0; i <= around; ++i) {
+            const float angle = 2 * 3.14159265f * static_cast<float>(i % around) / around;
+            const float height = 0.5f * static_cast<float>(ring);
+            mesh.positions.push_back({0.5f * std::cos(angle), 0.5f * std::sin(angle), height});
+            mesh.pattern.push_back({2 * 3.14159265f * 0.5f * static_cast<float>(i) / around, height});
+        }
+    }
+    const auto at = [](std::uint32_t ring, std::uint32_t i) { return ring * (around + 1) + i; };
+    for (std::uint32_t ring = 0; ring < 2; ++ring) {
+        for (std::uint32_t i = 0; i < around; ++i) {
+            mesh.triangles.push_back({at(ring, i), at(ring, i + 1), at(ring + 1, i + 1)});
+            mesh.triangles.push_back({at(ring, i), at(ring + 1, i + 1), at(ring + 1, i)});
+        }
+    }
+    return mesh;
+}
+
+std::size_t distinct_positions(const Mesh& mesh) {
+    std::set<std::array<float, 3>> positions;
+    for (const Vec3& p : mesh.positions) positions.insert({p.x, p.y, p.z});
+    return positions.size();
+}
+
+TEST(GarmentMesh, StandsOnItsLowestPoint) {
+    Mesh mesh = tube();
+    stand_upright(mesh, 0.3f);
+    const auto height = [](const Vec3& p) { return p.y; };
+    EXPECT_NEAR(std::ranges::min(mesh.positions, {}, height).y, 0.3f, 1e-6);
+    EXPECT_NEAR(std::ranges::max(mesh.positions, {}, height).y, 1.3f, 1e-6);
+    // The first vertex was at (0.5, 0, 0); rotation about +X keeps it on the +X side.
+    EXPECT_NEAR(mesh.positions[0].x, 0.5f, 1e-6);
+}
+
+TEST(GarmentMesh, HangsByItsHighestOpeningOncePerPosition) {
+    Mesh mesh = tube();
+    stand_upright(mesh, 0);
+    const std::vector<std::uint32_t> ring = highest_opening(mesh);
+    EXPECT_EQ(ring.size(), around) << "the seam is one position, and no opening";
+    for (const std::uint32_t vertex : ring) EXPECT_NEAR(mesh.positions[vertex].y, 1, 1e-6);
+}
+
+TEST(GarmentMesh, HangsAClosedMeshByItsTop) {
+    Mesh tetrahedron;
+    tetrahedron.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+    tetrahedron.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    EXPECT_EQ(highest_opening(tetrahedron), std::vector<std::uint32_t>{3});
+}
+
+TEST(GarmentMesh, RefinementQuartersTrianglesAndKeepsSeamsSewn) {
+    const Mesh coarse = tube();
+    const Mesh fine = refined(coarse);
+    EXPECT_EQ(fine.triangles.size(), 4 * coarse.triangles.size());
+    EXPECT_EQ(fine.pattern.size(), fine.positions.size());
+    // A slit tube of 3 rings becomes one of 5 with twice the points; seams welded, each ring closes.
+    EXPECT_EQ(distinct_positions(fine), 5u * 2u * around);
+}
+
+TEST(GarmentMesh, DropsAPatternThatIsNotInMetres) {
+    Mesh metres = tube(), unit = tube();
+    for (Vec2& p : unit.pattern) p = {0.1f * p.x, 0.1f * p.y};
+    drop_unfit_pattern(metres);
+    drop_unfit_pattern(unit);
+    EXPECT_FALSE(metres.pattern.empty());
+    EXPECT_TRUE(unit.pattern.empty());
+}
+
 }  // namespace
+
 }  // namespace weft::demo

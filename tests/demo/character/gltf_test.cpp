@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "demo/character/character.h"
-#include "demo/character/garment/gltf_mesh.h"
 #include "tests/demo/character/gltf_example.h"
 #include "tests/demo/character/temporary_file.h"
 

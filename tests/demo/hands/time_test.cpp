@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "demo/hands/hands.h"
-#include "demo/time/repeat_check.h"
 #include "demo/time/time_bar.h"
 #include "demo/time/timeline.h"
+#include "tests/demo/small_world.h"
 
 namespace weft::demo {
 namespace {
@@ -15,11 +15,7 @@ namespace {
 constexpr float step_time = 1.0f / 60;
 
 Simulation small_scene(const char* name) {
-    SceneOptions options;
-    options.particles = 200;
-    Overrides overrides;
-    overrides.threads = 1;
-    return std::move(*Simulation::create(*find_scene(name), options, overrides));
+    return simulation_of(name, 200);
 }
 
 class Time : public testing::TestWithParam<const char*> {};

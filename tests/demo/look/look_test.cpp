@@ -7,20 +7,24 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 
 #include "demo/headless/report_text.h"
-#include "demo/look/dropped.h"
+#include "demo/learn/comparison.h"
+#include "demo/learn/drape.h"
+#include "demo/look/drawn_solid.h"
 #include "demo/look/inside.h"
+#include "demo/look/look.h"
 #include "demo/look/materials.h"
-#include "demo/look/picture_times.h"
 #include "demo/look/quality_choice.h"
 #include "demo/look/recorder.h"
 #include "demo/look/rounded_mesh.h"
 #include "demo/look/settings_file.h"
-#include "demo/look/show.h"
+#include "demo/window/input.h"
 #include "tests/demo/small_world.h"
 
 namespace weft::demo {
+
 namespace {
 
 /// A machine that takes so long at best, and by the ladder's costs below.
@@ -103,13 +107,7 @@ class SettingsFile : public testing::Test {
     }
     ~SettingsFile() override { std::filesystem::remove(file()); }
 
-    static Simulation flag() {
-        SceneOptions options;
-        options.particles = 100;
-        auto made = Simulation::create(*find_scene("flag"), options, {});
-        EXPECT_TRUE(made.ok());
-        return std::move(*made);
-    }
+    static Simulation flag() { return simulation_of("flag", 100); }
     static std::string refusal(const std::string& text, Simulation& of) {
         std::ofstream(file()) << text;
         const auto loaded = load_settings(file(), of);
@@ -173,18 +171,16 @@ TEST_F(SettingsFile, NamesWhatIsWrongAndChangesNothing) {
 }
 
 TEST(Simulation, RestoresItsDefaults) {
-    SceneOptions options;
-    options.particles = 100;
-    auto simulation = Simulation::create(*find_scene("flag"), options, {});
-    const ClothId id = simulation->content().cloths.front().id;
-    const Fabric first = simulation->world().cloth_settings(id)->fabric;
-    ClothSettings settings = *simulation->world().cloth_settings(id);
+    Simulation simulation = simulation_of("flag", 100);
+    const ClothId id = simulation.content().cloths.front().id;
+    const Fabric first = simulation.world().cloth_settings(id)->fabric;
+    ClothSettings settings = *simulation.world().cloth_settings(id);
     settings.fabric.warp = 77;
-    ASSERT_TRUE(simulation->world().set_cloth_settings(id, settings).ok());
-    ASSERT_TRUE(simulation->restart().ok());
-    EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric.warp, 77);
-    ASSERT_TRUE(simulation->restore_defaults().ok());
-    EXPECT_EQ(simulation->world().cloth_settings(simulation->content().cloths.front().id)->fabric, first);
+    ASSERT_TRUE(simulation.world().set_cloth_settings(id, settings).ok());
+    ASSERT_TRUE(simulation.restart().ok());
+    EXPECT_EQ(simulation.world().cloth_settings(simulation.content().cloths.front().id)->fabric.warp, 77);
+    ASSERT_TRUE(simulation.restore_defaults().ok());
+    EXPECT_EQ(simulation.world().cloth_settings(simulation.content().cloths.front().id)->fabric, first);
 }
 
 TEST(Recorder, LeavesPicturesByNumber) {
@@ -275,5 +271,89 @@ TEST(Recorder, SaysThatFfmpegMadeNone) {
     std::filesystem::remove_all(folder);
 }
 
+// The bench's closed forms, and two methods beside each other.
+
+TEST(Elastica, HangsLikeABeamWhereItIsStiff) {
+    const std::vector<Vec2> curve = elastica_curve(0.01, 11);
+    ASSERT_EQ(curve.size(), 11u);
+    EXPECT_NEAR(curve.back().y, -0.01 / 8, 1e-6) << "w l^4 / 8 E I";
+    EXPECT_NEAR(curve.back().x, 1, 1e-5);
+    EXPECT_EQ(curve.front().x, 0);
+}
+
+TEST(Elastica, HasPeircesAngle) {
+    const std::vector<Vec2> curve = elastica_curve(8.0042, 101);
+    const double chord =
+        std::atan2(-static_cast<double>(curve.back().y), static_cast<double>(curve.back().x));
+    EXPECT_NEAR(chord * 180 / std::numbers::pi, 41.5, 0.02)
+        << "at which his bending length is half of the strip's";
+    float length = 0;
+    for (std::size_t i = 1; i < curve.size(); ++i)
+        length += std::hypot(curve[i].x - curve[i - 1].x, curve[i].y - curve[i - 1].y);
+    EXPECT_NEAR(length, 1, 1e-3);
+}
+
+TEST(Comparison, TheFinerOneIsNearerToTheExact) {
+    Simulation shown = simulation_of("flag", 200);
+    auto comparison = Comparison::start(shown, Jacobi{.iterations = 1}, Fairness::same_steps);
+    ASSERT_TRUE(comparison.ok()) << comparison.error().message;
+    for (int i = 0; i < 30; ++i) {
+        shown.step(1.0f / 60);
+        comparison->step(shown, 1.0f / 60);
+    }
+    EXPECT_GT(comparison->shown().usual, 0);
+    EXPECT_LT(comparison->shown().usual, 0.7f * comparison->other().usual);
+    EXPECT_GE(comparison->other().farthest, comparison->other().usual);
+    EXPECT_EQ(comparison->other().substeps, 1);
+    EXPECT_GT(comparison->shown().milliseconds, 0);
+}
+
+// Colliders between two steps: drawn as late as the cloth that lies on them.
+
+class MovedBall : public testing::Test {
+  protected:
+    static constexpr float dt = 1.0f / 60, metres_a_step = 0.02f;
+
+    void SetUp() override { ball_ = world_.add_collider({.shape = Sphere{{}, 0.1f}}).value(); }
+    void steps(int count) {
+        for (int k = 0; k < count; ++k) {
+            ++taken_;
+            (void)world_.move_collider(
+                ball_, {.shape = Sphere{{metres_a_step * static_cast<float>(taken_), 0, 0}, 0.1f}});
+            world_.step(dt);
+        }
+    }
+    /// The ball's place along X, as a picture at this share of the way shows it.
+    float drawn_at(float share) {
+        motion_.note(ball_, *world_.collider(ball_), world_.report().step);
+        return std::get<Sphere>(motion_.at(ball_, share).shape).center.x;
+    }
+
+    World world_ = World::create({.threads = 1}).value();
+    ColliderId ball_;
+    ColliderMotion motion_;
+    int taken_ = 0;
+};
+
+TEST_F(MovedBall, IsDrawnBetweenTheLastTwoSteps) {
+    EXPECT_EQ(drawn_at(0.5f), 0) << "it has not moved yet";
+    steps(1);
+    EXPECT_NEAR(drawn_at(0), 0, 1e-6f);
+    EXPECT_NEAR(drawn_at(0.25f), 0.25f * metres_a_step, 1e-6f);
+    EXPECT_NEAR(drawn_at(1), metres_a_step, 1e-6f);
+    steps(3);  // a slow picture
+    EXPECT_NEAR(drawn_at(0), 3 * metres_a_step, 1e-6f);
+    EXPECT_NEAR(drawn_at(0.5f), 3.5f * metres_a_step, 1e-6f);
+}
+
+TEST_F(MovedBall, IsWhereItHasJumped) {
+    steps(1);
+    (void)drawn_at(1);
+    (void)world_.place_collider(ball_, {.shape = Sphere{{50, 0, 0}, 0.1f}});
+    world_.step(dt);
+    EXPECT_EQ(drawn_at(0.5f), 50);
+}
+
 }  // namespace
+
 }  // namespace weft::demo

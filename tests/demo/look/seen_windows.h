@@ -15,7 +15,7 @@ struct Seen {
     float cut = 0;  ///< so much of what it holds is beyond its right edge
 };
 
-/// Those that have been built; in the midst of a frame the last one's are all there.
+/// The windows that have been built; in the midst of a frame those of the last one are all there.
 inline std::vector<Seen> windows_of_this_frame(bool last_frame = false) {
     std::vector<Seen> all;
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {

@@ -1,4 +1,4 @@
-// What hands and keys do in the window is felt.
+// Mouse and keys take effect in the real window.
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,14 @@
 #include <string>
 
 #include "demo/hands/project.h"
+#include "demo/panels/widgets.h"
 #include "engine/vector.h"
+#include "tests/demo/look/seen_windows.h"
 #include "tests/demo/window/window.h"
 #include "tests/render/gl_objects.h"
 
 namespace weft::demo {
+
 namespace {
 
 /// Which way the flag flies, from its pole.
@@ -30,7 +33,7 @@ TEST_F(Window, ADraggedArrowTurnsTheWindAndTheFlag) {
                       point(frame.hands.arrow().at(-0.2f, -0.02f));  // to the left of the picture
                       wanted = frame.camera.yaw + 3.1415927f;
                   }),
-                  // What is done before a picture is seen in it, and no picture later.
+                  // A change before a picture is seen in that picture, not in a later one.
                   at_once([&](const AppFrame& frame) {
                       EXPECT_LT(std::abs(std::remainder(frame.wind.heading() - wanted, 6.2831853f)), 0.2f);
                   }),
@@ -119,7 +122,7 @@ TEST_F(Window, AKnifeDrawnOverTheFlagCutsIt) {
               screen()->let_go("shift");
           }),
           [&](const AppFrame& frame) { return count(frame) > particles; }, key("n"),
-          // What was saved of the whole flag is of no use.
+          // Saves of the uncut flag do not fit the cut one.
           [](const AppFrame& frame) { return frame.simulation.cuts() > 0 && frame.timeline.size() == 1; }});
 }
 
@@ -158,5 +161,70 @@ TEST_F(Window, OpensEveryScene) {
     }
 }
 
+// Panels in the window: they follow its size and the mouse.
+
+class WindowPanels : public Window {
+  protected:
+    ~WindowPanels() override {
+        slider_probe = nullptr;
+        all_open = false;
+    }
+};
+
+TEST_F(WindowPanels, FollowTheWindowsSize) {
+    ImVec2 size;
+    std::vector<Seen> seen;
+    all_open = true;
+    slider_probe = [&](const char*, float&, float, float) {
+        size = ImGui::GetIO().DisplaySize;
+        seen = windows_of_this_frame(true);
+        return false;
+    };
+    std::vector<Act> acts;
+    for (const ImVec2 wanted : {ImVec2(640, 480), ImVec2(2560, 1440), ImVec2(1280, 800)}) {
+        acts.push_back(at_once([=](const AppFrame&) {
+            screen()->resize(static_cast<int>(wanted.x), static_cast<int>(wanted.y));
+        }));
+        acts.push_back([&, wanted](const AppFrame&) { return size.x == wanted.x && size.y == wanted.y; });
+        acts.push_back(wait(3));
+        acts.push_back(at_once([&, wanted](const AppFrame& frame) {
+            EXPECT_GE(seen.size(), 2u) << "the column, the bar of time";
+            expect_apart(seen, wanted);
+            EXPECT_GT(frame.panels.covered(), 100);
+            EXPECT_LT(frame.panels.covered(), 0.46f * wanted.x);
+        }));
+    }
+    play("flag", std::move(acts));
+}
+
+TEST_F(WindowPanels, ASliderFollowsTheMouseToBothEnds) {
+    std::string label;
+    ImVec2 low, high;
+    float now = 0, least = 0, most = 0;
+    slider_probe = [&](const char* each, float& value, float from, float until_) {
+        const ImGuiWindow* const column = ImGui::GetCurrentContext()->CurrentWindow;
+        const ImVec2 corner = ImGui::GetItemRectMin(), other = ImGui::GetItemRectMax();
+        if (label.empty() && column->InnerClipRect.Contains(ImRect(corner, other))) label = each;
+        if (label != each) return false;
+        low = corner;
+        high = {corner.x + ImGui::CalcItemWidth(), other.y};
+        now = value, least = from, most = until_;
+        return false;
+    };
+    const auto pull = [&](float part) {
+        return at_once([&, part](const AppFrame&) {
+            screen()->move_pointer(low.x + part * (high.x - low.x), 0.5f * (low.y + high.y));
+        });
+    };
+    play("flag",
+         {wait(4), at_once([&](const AppFrame&) { ASSERT_FALSE(label.empty()) << "no slider is in sight"; }),
+          pull(0.5f), wait(2), at_once([](const AppFrame&) { screen()->press(); }), wait(2), pull(-0.5f),
+          [&](const AppFrame&) { return now == least; }, pull(1.5f),
+          [&](const AppFrame&) { return now == most; }, at_once([](const AppFrame&) { screen()->release(); }),
+          wait(2), at_once([&](const AppFrame& frame) { EXPECT_EQ(frame.panels.message, "") << label; })},
+         {.across = 640, .down = 480});
+}
+
 }  // namespace
+
 }  // namespace weft::demo

@@ -1,4 +1,4 @@
-// What the demo reads.
+// The demo's readers of files.
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,6 @@
 #include "demo/character/character.h"
 #include "demo/character/garment/garment_file.h"
 #include "demo/character/garment/gltf_file.h"
-#include "demo/character/garment/gltf_mesh.h"
 #include "demo/character/motion/bvh.h"
 #include "demo/look/settings_values.h"
 #include "demo/options/fabric_file.h"
