@@ -105,13 +105,10 @@ void Simulation::weave(const render::FabricLook& look) {
 }
 
 Result<void> Simulation::build() {
-    try {
+    return caught([&] {
         content_ = must(scene_->build(world_, options_));
-    } catch (const Refusal& refusal) {
-        return refusal.error;
-    }
-    time_ = 0;
-    return {};
+        time_ = 0;
+    });
 }
 
 Result<void> Simulation::restart() {

@@ -10,6 +10,7 @@
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/live_motion.h"
 #include "demo/character/motion/motion.h"
+#include "demo/must.h"
 
 namespace weft::demo {
 namespace {
@@ -200,39 +201,32 @@ void Character::follow(double time) {
     }
 }
 
-Result<void> Character::add_body(World& world) {
+void Character::add_body(World& world) {
+    const auto add = [&](const Collider& collider) {
+        colliders_.push_back(must(world.add_collider(collider)));
+    };
     if (skin_places_) {
         const auto shape =
             world.add_shape(TriangleMesh{.vertices = *skin_places_, .triangles = skin_.triangles()});
-        if (!shape) return Error{shape.error().code, "the body's skin: " + shape.error().message};
+        if (!shape) throw Refusal({shape.error().code, "the body's skin: " + shape.error().message});
         skin_shape_ = *shape;
-        const auto collider = world.add_collider({.shape = PlacedShape{.shape = *shape}});
-        if (!collider) return collider.error();
-        colliders_.push_back(*collider);
-        return {};
+        return add({.shape = PlacedShape{.shape = *shape}});
     }
-    for (const TaperedCapsule& capsule : now_.capsules) {
-        const auto collider = world.add_collider({.shape = capsule});
-        if (!collider) return collider.error();
-        colliders_.push_back(*collider);
-    }
-    return {};
+    for (const TaperedCapsule& capsule : now_.capsules) add({.shape = capsule});
 }
 
-Result<void> Character::add_maps(World& world) {
-    for (const PaintedMap& painted : garment_.maps)
-        if (auto set = world.set_map(cloth_, painted.map, painted.values); !set) return set;
-    if (limits_.size() > 0) return world.set_skin(cloth_, limit_places_, limit_normals_);
-    return {};
+void Character::add_maps(World& world) {
+    for (const PaintedMap& painted : garment_.maps) must(world.set_map(cloth_, painted.map, painted.values));
+    if (limits_.size() > 0) must(world.set_skin(cloth_, limit_places_, limit_normals_));
 }
 
 Result<void> Character::enter(World& world) {
-    const auto cloth = world.add_cloth(garment_.mesh, settings_.cloth);
-    if (!cloth) return cloth.error();
-    cloth_ = *cloth;
-    if (auto pinned = world.pin(cloth_, garment_.fixed); !pinned) return pinned;
-    if (auto painted = add_maps(world); !painted) return painted;
-    return add_body(world);
+    return caught([&] {
+        cloth_ = must(world.add_cloth(garment_.mesh, settings_.cloth));
+        must(world.pin(cloth_, garment_.fixed));
+        add_maps(world);
+        add_body(world);
+    });
 }
 
 void Character::before_step(World& world, double time, float dt) {
@@ -255,16 +249,16 @@ Result<void> Character::teleport(World& world, const Transform& by) {
     turn_ = (turn * turn_).normalized();
     place_ = turn * place_ + to_vector(by.translation);
     go_to(followed_);
-    if (skin_places_) {  // deforming the shape would drag cloth on its way
-        if (auto removed = world.remove_collider(colliders_.front()); !removed) return removed;
-        if (auto removed = world.remove_shape(skin_shape_); !removed) return removed;
-        colliders_.clear();
-        return add_body(world);
-    }
-    for (std::size_t limb = 0; limb < now_.capsules.size(); ++limb)
-        if (auto placed = world.place_collider(colliders_[limb], {.shape = now_.capsules[limb]}); !placed)
-            return placed;
-    return {};
+    return caught([&] {
+        if (skin_places_) {  // deforming the shape would drag cloth on its way
+            must(world.remove_collider(colliders_.front()));
+            must(world.remove_shape(skin_shape_));
+            colliders_.clear();
+            return add_body(world);
+        }
+        for (std::size_t limb = 0; limb < now_.capsules.size(); ++limb)
+            must(world.place_collider(colliders_[limb], {.shape = now_.capsules[limb]}));
+    });
 }
 
 }  // namespace weft::demo

@@ -74,15 +74,14 @@ class Character {
     [[nodiscard]] const Fit& fitted() const { return fit_; }
     [[nodiscard]] const Body& body() const { return body_; }
     [[nodiscard]] const Pose& pose() const { return now_.pose; }
-    [[nodiscard]] double dressed_after() const { return fitting_; }  ///< end of the fitting [s]
 
   private:
     Character(Body body, Performance performance, Garment garment, Fit fit,
               const CharacterSettings& settings);
     static Result<Character> create_skinned(const CharacterSettings& settings);
     void follow(double time);
-    [[nodiscard]] Result<void> add_body(World& world);
-    [[nodiscard]] Result<void> add_maps(World& world);
+    void add_body(World& world);
+    void add_maps(World& world);
     void bind_limits(const Pose& stance, const Binding* own);
     void take_skin(Skin skin);
 

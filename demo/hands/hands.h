@@ -50,7 +50,6 @@ class Hands {
 
     [[nodiscard]] const WindArrow& arrow() const { return arrow_; }
     [[nodiscard]] bool holds_arrow() const { return holding_ == Holding::arrow; }
-    [[nodiscard]] const HeldCollider& held_collider() const { return collider_; }
     [[nodiscard]] const Interaction& interaction() const { return interaction_; }
     /// Why cloth could not be cut, reported once; empty: it could.
     [[nodiscard]] std::string take_complaint() { return interaction_.take_complaint(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demo/must.h"
 #include "engine/vector.h"
 
 namespace weft::demo {
@@ -10,20 +11,18 @@ namespace {
 
 constexpr int balanced_every = 30;  // steps
 
-/// The scene from its start, with the shown one's settings; `change` alters those of its cloths.
+/// The scene from its start, with the shown one's settings. Throws Refusal; `change` alters those of its
+/// cloths.
 template <class Change>
-Result<Simulation> again(Simulation& shown, const Change& change) {
+Simulation again(Simulation& shown, const Change& change) {
     Overrides overrides;
     overrides.threads = shown.world().settings().threads;
-    auto made = Simulation::create(shown.entry(), shown.options(), overrides);
-    if (!made) return made;
-    if (auto set = made->world().set_settings(shown.world().settings()); !set) return set.error();
-    for (std::size_t i = 0; i < made->content().cloths.size(); ++i) {
-        auto settings = shown.world().cloth_settings(shown.content().cloths[i].id);
-        if (!settings) return settings.error();
-        change(*settings);
-        if (auto set = made->world().set_cloth_settings(made->content().cloths[i].id, *settings); !set)
-            return set.error();
+    Simulation made = must(Simulation::create(shown.entry(), shown.options(), overrides));
+    must(made.world().set_settings(shown.world().settings()));
+    for (std::size_t i = 0; i < made.content().cloths.size(); ++i) {
+        ClothSettings settings = must(shown.world().cloth_settings(shown.content().cloths[i].id));
+        change(settings);
+        must(made.world().set_cloth_settings(made.content().cloths[i].id, settings));
     }
     return made;
 }
@@ -44,22 +43,21 @@ Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fai
     Comparison comparison;
     comparison.method_ = other;
     comparison.fairness_ = fairness;
-    auto second = again(shown, [&](ClothSettings& settings) {
-        const bool positional = std::holds_alternative<Xpbd>(other) || std::holds_alternative<Fibres>(other);
-        if (positional) settings.fabric.stiffening = 0;  // these methods refuse it
-        settings.method = other;
-        settings.time_scheme = TimeScheme::of_method;
+    return caught([&] {
+        comparison.simulations_.push_back(again(shown, [&](ClothSettings& settings) {
+            const bool positional =
+                std::holds_alternative<Xpbd>(other) || std::holds_alternative<Fibres>(other);
+            if (positional) settings.fabric.stiffening = 0;  // these methods refuse it
+            settings.method = other;
+            settings.time_scheme = TimeScheme::of_method;
+        }));
+        comparison.simulations_.push_back(again(shown, [](ClothSettings& settings) {
+            settings.method = Multilevel{.passes = 20};
+            settings.time_scheme = TimeScheme::of_method;
+            settings.substeps = 8;
+        }));
+        return std::move(comparison);
     });
-    if (!second) return second.error();
-    auto exact = again(shown, [](ClothSettings& settings) {
-        settings.method = Multilevel{.passes = 20};
-        settings.time_scheme = TimeScheme::of_method;
-        settings.substeps = 8;
-    });
-    if (!exact) return exact.error();
-    comparison.simulations_.push_back(std::move(*second));
-    comparison.simulations_.push_back(std::move(*exact));
-    return comparison;
 }
 
 void Comparison::step(const Simulation& shown, float dt) {

@@ -18,7 +18,6 @@ struct Inside {
     ShownAsColour colour = ShownAsColour::nothing;
     DebugParts parts = DebugParts::none;  ///< drawn as lines and words
 
-    [[nodiscard]] bool has_lines() const { return parts != DebugParts::none; }
     void toggle(DebugParts part) {
         parts = static_cast<DebugParts>(static_cast<std::uint32_t>(parts) ^ static_cast<std::uint32_t>(part));
     }

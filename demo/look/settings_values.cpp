@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "demo/must.h"
 #include "demo/number_json.h"
 #include "demo/options/method_table.h"
 #include "demo/self_collision.h"
@@ -20,17 +21,13 @@ using Json = nlohmann::ordered_json;
 
 using Read = SettingsValues;
 
-Error malformed(const std::filesystem::path& file, const std::string& what) {
-    return {ErrorCode::malformed_file, file.string() + ": " + what};
-}
-
-Result<Json> parse(const std::filesystem::path& file) {
+/// Throws Refusal.
+Json parse(const std::filesystem::path& file) {
     std::ifstream stream(file);
     if (!stream || std::filesystem::is_directory(file))
-        return Error{ErrorCode::file_not_found,
-                     file.string() + " cannot be read; it must be a JSON file of settings"};
+        throw Refusal({ErrorCode::file_not_found, "cannot be read; it must be a JSON file of settings"});
     auto json = parse_json<Json>(stream);
-    if (!json || !json->is_object()) return malformed(file, "is no JSON object of settings");
+    if (!json || !json->is_object()) refuse("is no JSON object of settings");
     return *std::move(json);
 }
 
@@ -77,24 +74,19 @@ Numbers plain_numbers(Read& read) {
 }
 
 /// Reads a value of these numbers. `owner` is what the message says has no such key.
-Result<void> read_number(const std::filesystem::path& file, const char* owner, const Numbers& numbers,
-                         const std::string& key, const Json& value) {
+void read_number(const char* owner, const Numbers& numbers, const std::string& key, const Json& value) {
     const auto found = std::ranges::find(numbers, key, [](const auto& each) { return each.first; });
-    if (found == numbers.end()) return malformed(file, std::string(owner) + " no " + quoted_json(Json(key)));
-    const auto read = number_from_json(found->second, key, value);
-    return read ? read : malformed(file, read.error().message);
+    if (found == numbers.end()) refuse(std::string(owner) + " no " + quoted_json(Json(key)));
+    if (auto set = number_from_json(found->second, key, value); !set) refuse(set.error().message);
 }
 
-Result<void> read_numbers(const std::filesystem::path& file, const char* name, const Json& json,
-                          const Numbers& numbers) {
-    if (!json.is_object()) return malformed(file, std::string(name) + " must be an object");
+void read_numbers(const char* name, const Json& json, const Numbers& numbers) {
+    if (!json.is_object()) refuse(std::string(name) + " must be an object");
     for (const auto& [key, value] : json.items())
-        if (auto done = read_number(file, (std::string(name) + " has").c_str(), numbers, key, value); !done)
-            return done;
-    return {};
+        read_number((std::string(name) + " has").c_str(), numbers, key, value);
 }
 
-Result<void> read_method(const std::filesystem::path& file, const Json& json, Read& read) {
+void read_method(const Json& json, Read& read) {
     if (json.contains("method")) {
         const Json& name = json["method"];
         const NamedMethod* const method = name.is_string() ? find_method(name.get<std::string>()) : nullptr;
@@ -102,52 +94,49 @@ Result<void> read_method(const std::filesystem::path& file, const Json& json, Re
             std::string names;
             for (const NamedMethod& each : all_methods())
                 names.append(names.empty() ? "" : ", ").append(each.name);
-            return malformed(file, "there is no method " + quoted_json(name) + "; there are " + names);
+            refuse("there is no method " + quoted_json(name) + "; there are " + names);
         }
         if (method->method.index() != read.cloth.method.index()) read.cloth.method = method->method;
     }
     if (json.contains("iterations")) {
         const Json& value = json["iterations"];
         if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= 10000))
-            return malformed(file,
-                             "iterations is " + quoted_json(value) + "; it must be a number from 0 to 10000");
+            refuse("iterations is " + quoted_json(value) + "; it must be a number from 0 to 10000");
         set_iterations(read.cloth.method, value.get<int>());
     }
-    return {};
 }
 
-Result<void> read_self_collision(const std::filesystem::path& file, const Json& value, Read& read) {
+void read_self_collision(const Json& value, Read& read) {
     std::string names;
     for (const SelfCollisionMethod method : self_collision_methods) {
         if (value.is_string() && value.get<std::string>() == name_of(method)) {
             set_method(read.cloth.self_collision, method);
-            return {};
+            return;
         }
         names.append(names.empty() ? "" : ", ").append(name_of(method));
     }
-    return malformed(file, "self_collision is " + quoted_json(value) + "; it is one of " + names);
+    refuse("self_collision is " + quoted_json(value) + "; it is one of " + names);
 }
 
-Result<void> read_part(const std::filesystem::path& file, const std::string& key, const Json& value,
-                       Read& read) {
-    if (key == "scene" || key == "method" || key == "iterations") return {};
-    if (key == "self_collision") return read_self_collision(file, value, read);
-    if (key == "material") return read_numbers(file, "material", value, fabric_numbers(read));
-    if (key == "wind") return read_numbers(file, "wind", value, wind_numbers(read));
-    return read_number(file, "settings have", plain_numbers(read), key, value);
+void read_part(const std::string& key, const Json& value, Read& read) {
+    if (key == "scene" || key == "method" || key == "iterations") return;
+    if (key == "self_collision") return read_self_collision(value, read);
+    if (key == "material") return read_numbers("material", value, fabric_numbers(read));
+    if (key == "wind") return read_numbers("wind", value, wind_numbers(read));
+    return read_number("settings have", plain_numbers(read), key, value);
 }
 
 }  // namespace
 
 Result<SettingsValues> read_settings(const std::filesystem::path& file, const WorldSettings& world,
                                      const ClothSettings& cloth) {
-    const auto json = parse(file);
-    if (!json) return json.error();
-    Read read{world, cloth};
-    for (const auto& [key, value] : json->items())
-        if (auto done = read_part(file, key, value, read); !done) return done.error();
-    if (auto done = read_method(file, *json, read); !done) return done.error();
-    return read;
+    return caught_in(file, [&] {
+        const Json json = parse(file);
+        Read read{world, cloth};
+        for (const auto& [key, value] : json.items()) read_part(key, value, read);
+        read_method(json, read);
+        return read;
+    });
 }
 
 namespace {
@@ -178,11 +167,12 @@ std::string settings_text(const std::string& scene, const SettingsValues& presen
 }
 
 Result<std::string> scene_of_settings(const std::filesystem::path& file) {
-    const auto json = parse(file);
-    if (!json) return json.error();
-    if (!json->contains("scene")) return std::string();
-    if (!(*json)["scene"].is_string()) return malformed(file, "scene must be the name of one");
-    return (*json)["scene"].get<std::string>();
+    return caught_in(file, [&]() -> std::string {
+        const Json json = parse(file);
+        if (!json.contains("scene")) return {};
+        if (!json["scene"].is_string()) refuse("scene must be the name of one");
+        return json["scene"].get<std::string>();
+    });
 }
 
 }  // namespace weft::demo

@@ -9,12 +9,18 @@
 #include <string_view>
 #include <vector>
 
+#include "demo/must.h"
 #include "demo/number_json.h"
 
 namespace weft::demo {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Sets a field. Throws Refusal.
+void set(const SettingNumber& field, const Json& value) {
+    if (auto done = number_from_json(field, field.field, value); !done) refuse(done.error().message);
+}
 
 /// The numbers of the settings' fabric.
 std::vector<SettingNumber> fields_of(ClothSettings& settings) {
@@ -28,25 +34,7 @@ const SettingNumber* find(const std::vector<SettingNumber>& fields, std::string_
     return found == fields.end() ? nullptr : &*found;
 }
 
-/// Makes errors about one file.
-class Complaints {
-  public:
-    explicit Complaints(const std::filesystem::path& file) : file_(file.string()) {}
-
-    [[nodiscard]] Error operator()(const std::string& what) const {
-        return {ErrorCode::malformed_file, file_ + ": " + what};
-    }
-
-  private:
-    std::string file_;
-};
-
-Result<void> set(const SettingNumber& field, const Json& value, const Complaints& complain) {
-    const auto done = number_from_json(field, field.field, value);
-    return done ? done : complain(done.error().message);
-}
-
-Result<Fabric> read_own(const Json& json, const Complaints& complain) {
+Fabric read_own(const Json& json) {
     ClothSettings settings;
     const auto fields = fields_of(settings);
     for (const auto& [key, value] : json.items()) {
@@ -54,10 +42,10 @@ Result<Fabric> read_own(const Json& json, const Complaints& complain) {
         if (field == nullptr) {
             std::string all;
             for (const SettingNumber& each : fields) all.append(each.field).append(", ");
-            return complain("a fabric has no " + quoted_json(Json(key)) + "; it has " + all +
-                            "or those of a measured one: density, stretching, bending");
+            refuse("a fabric has no " + quoted_json(Json(key)) + "; it has " + all +
+                   "or those of a measured one: density, stretching, bending");
         }
-        if (auto done = set(*field, value, complain); !done) return done.error();
+        set(*field, value);
     }
     return settings.fabric;
 }
@@ -141,20 +129,20 @@ StretchFit fit_stiffening(const std::vector<std::vector<double>>& samples) {
     return {fit(along1, best).stiffness, fit(along2, best).stiffness, best};
 }
 
-Result<Fabric> read_measured(const Json& json, const Complaints& complain, MeasuredStretch stretch) {
+Fabric read_measured(const Json& json, MeasuredStretch stretch) {
     for (const auto& [key, value] : json.items())
         if (key != "density" && key != "stretching" && key != "bending")
-            return complain("a measured fabric has no " + quoted_json(Json(key)) +
-                            "; it has density, stretching and bending");
+            refuse("a measured fabric has no " + quoted_json(Json(key)) +
+                   "; it has density, stretching and bending");
     ClothSettings settings;
     const auto fields = fields_of(settings);
     const SettingNumber& density = *find(fields, "areal_density");
-    if (!json.contains("density")) return complain("density is missing; it must be " + range_text(density));
-    if (auto done = set(density, json["density"], complain); !done) return done.error();
+    if (!json.contains("density")) refuse("density is missing; it must be " + range_text(density));
+    set(density, json["density"]);
     const auto stretching = read_table(json, "stretching", 6, 4);
-    if (!stretching) return complain("stretching must be 6 rows of 4 numbers: c11, c12, c22, c33 [N/m]");
+    if (!stretching) refuse("stretching must be 6 rows of 4 numbers: c11, c12, c22, c33 [N/m]");
     const auto bending = read_table(json, "bending", 3, 5);
-    if (!bending) return complain("bending must be 3 rows, for 0, 45 and 90 degrees, of 5 numbers [N m]");
+    if (!bending) refuse("bending must be 3 rows, for 0, 45 and 90 degrees, of 5 numbers [N m]");
 
     StretchFit k{mean_of_positive(*stretching, 0, 1), mean_of_positive(*stretching, 2, 3), 0};
     const bool is_warp_first = k.c11 >= k.c22;
@@ -164,8 +152,7 @@ Result<Fabric> read_measured(const Json& json, const Complaints& complain, Measu
                                                      {"shear", mean_of_positive(*stretching, 3, 4)},
                                                      {"bending", 0.25 * mean_of_positive(*bending, 0, 5)},
                                                      {"stiffening", k.stiffening}};
-    for (const auto& [field, value] : values)
-        if (auto done = set(*find(fields, field), value, complain); !done) return done.error();
+    for (const auto& [field, value] : values) set(*find(fields, field), value);
     return settings.fabric;
 }
 
@@ -176,13 +163,13 @@ Result<Fabric> load_fabric(const std::filesystem::path& file, MeasuredStretch st
     if (!in)
         return Error{ErrorCode::file_not_found,
                      file.string() + " cannot be read; it must be a JSON file of a fabric"};
-    const Complaints complain(file);
-    const auto parsed = parse_json<Json>(in);
-    if (!parsed || !parsed->is_object())
-        return complain("it must hold one JSON object, as {\"areal_density\": 0.2, \"warp\": 400}");
-    const Json& json = *parsed;
-    const bool measured = json.contains("density") || json.contains("stretching");
-    return measured ? read_measured(json, complain, stretch) : read_own(json, complain);
+    return caught_in(file, [&] {
+        const auto parsed = parse_json<Json>(in);
+        if (!parsed || !parsed->is_object())
+            refuse("it must hold one JSON object, as {\"areal_density\": 0.2, \"warp\": 400}");
+        const bool measured = parsed->contains("density") || parsed->contains("stretching");
+        return measured ? read_measured(*parsed, stretch) : read_own(*parsed);
+    });
 }
 
 Result<Fabric> find_fabric(const std::string& name_or_file) {

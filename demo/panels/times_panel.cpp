@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "demo/panels/panels.h"
 #include "demo/panels/widgets.h"
@@ -24,10 +25,9 @@ ImU32 stage_color(std::size_t stage) {
 
 /// The plot's upper end: the next of 1, 2, 4, 8, ... ms above the slowest step shown.
 float plot_range(const StageHistory& history) {
-    const std::size_t whole_step = history.stages() - 1;
     float slowest = 0;
     for (std::size_t age = 0; age < history.size(); ++age)
-        slowest = std::max(slowest, history.at(whole_step, age));
+        slowest = std::max(slowest, history.at(history.stages() - 1, age));
     float range = 1;
     while (range < slowest) range *= 2;
     return range;
@@ -38,29 +38,47 @@ bool is_shown(const StageTime& stage) {
     return stage.depth == 2;
 }
 
-/// Each step is a column, the latest at the right; its stages are stacked in the order in which they run.
-void plot_stages(std::span<const StageTime> stages, const StageHistory& history, ImVec2 size) {
+/// Draws columns of stacked times, the latest at the right, up to `range` milliseconds. `parts(age, add)`
+/// calls add(milliseconds, colour) for each part of a column, from the lowest up. Returns the plot's corners.
+std::pair<ImVec2, ImVec2> plot_columns(std::size_t count, std::size_t most, float range, const auto& parts) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, 4 * ImGui::GetFontSize());
     ImGui::Dummy(size);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    if (history.size() == 0) return;
-
-    const float range = plot_range(history);
-    const float column = size.x / static_cast<float>(StageHistory::length);
-    for (std::size_t age = 0; age < history.size(); ++age) {
-        const float right = corner.x + size.x - column * static_cast<float>(age);
-        float bottom = corner.y + size.y;
-        for (std::size_t stage = 0; stage + 1 < history.stages(); ++stage) {
-            if (!is_shown(stages[stage])) continue;
-            const float top = bottom - history.at(stage, age) / range * size.y;
-            draw.AddRectFilled({right - column, top}, {right, bottom}, stage_color(stage));
+    const ImVec2 end(corner.x + size.x, corner.y + size.y);
+    draw.AddRectFilled(corner, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    const float column = size.x / static_cast<float>(most);
+    for (std::size_t age = 0; age < count; ++age) {
+        const float right = end.x - column * static_cast<float>(age);
+        float bottom = end.y;
+        parts(age, [&](float milliseconds, ImU32 colour) {
+            const float top = std::max(bottom - milliseconds / range * size.y, corner.y);
+            draw.AddRectFilled({right - column, top}, {right, bottom}, colour);
             bottom = top;
-        }
+        });
     }
     char label[32];
     std::snprintf(label, sizeof label, "%.0f ms", static_cast<double>(range));
     draw.AddText({corner.x + 4, corner.y + 2}, ImGui::GetColorU32(ImGuiCol_Text), label);
+    return {corner, end};
+}
+
+/// Each step is a column; its stages are stacked in the order in which they run.
+void plot_stages(std::span<const StageTime> stages, const StageHistory& history) {
+    plot_columns(history.size(), StageHistory::length, plot_range(history),
+                 [&](std::size_t age, const auto& add) {
+                     for (std::size_t stage = 0; stage + 1 < history.stages(); ++stage)
+                         if (is_shown(stages[stage])) add(history.at(stage, age), stage_color(stage));
+                 });
+}
+
+/// Begins a table of times.
+bool begin_times(const char* name, const char* title) {
+    if (!ImGui::BeginTable(name, 5, ImGuiTableFlags_SizingStretchProp)) return false;
+    ImGui::TableSetupColumn(title, 0, 2.6f);
+    for (const char* column : {"now", "p50", "p99", "share"}) ImGui::TableSetupColumn(column, 0, 1);
+    ImGui::TableHeadersRow();
+    return true;
 }
 
 void stage_row(const StageTime& stage, float whole, ImU32 color) {
@@ -82,10 +100,7 @@ void stage_row(const StageTime& stage, float whole, ImU32 color) {
 }
 
 void stage_table(std::span<const StageTime> stages) {
-    if (!ImGui::BeginTable("stages", 5, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("part of a step [ms]", 0, 2.6f);
-    for (const char* title : {"now", "p50", "p99", "share"}) ImGui::TableSetupColumn(title, 0, 1);
-    ImGui::TableHeadersRow();
+    if (!begin_times("stages", "part of a step [ms]")) return;
     const std::size_t whole_step = stages.size() - 1;
     const float whole = stages[whole_step].p50;
     for (std::size_t s = 0; s < whole_step; ++s)
@@ -98,34 +113,20 @@ void stage_table(std::span<const StageTime> stages) {
 constexpr ImU32 cloth_color = IM_COL32(86, 180, 233, 255), drawing_color = IM_COL32(230, 159, 0, 255),
                 rest_color = IM_COL32(130, 130, 130, 255);
 
-/// Each picture is a column, the latest at the right: cloth, drawing and the rest on top of each other, with
-/// a line at 1/60 s.
-void plot_pictures(const PictureTimes& times, ImVec2 size) {
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::Dummy(size);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float bottom = corner.y + size.y;
-    draw.AddRectFilled(corner, {corner.x + size.x, bottom}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+/// Each picture is a column: cloth, drawing and the rest on top of each other, with a line at 1/60 s.
+void plot_pictures(const PictureTimes& times) {
     float range = 20;
     while (range < times.percentile(0.99f).whole) range *= 2;
-    const float column = size.x / static_cast<float>(PictureTimes::length);
-    for (std::size_t age = 0; age < times.size(); ++age) {
-        const PictureTime& time = times.at(age);
-        const float right = corner.x + size.x - column * static_cast<float>(age);
-        float low = bottom;
-        for (const auto& [part, color] :
-             {std::pair(time.cloth, cloth_color), std::pair(time.drawing, drawing_color),
-              std::pair(time.rest(), rest_color)}) {
-            const float top = std::max(low - part / range * size.y, corner.y);
-            draw.AddRectFilled({right - column, top}, {right, low}, color);
-            low = top;
-        }
-    }
-    const float sixtieth = bottom - 1000.0f / 60 / range * size.y;
-    draw.AddLine({corner.x, sixtieth}, {corner.x + size.x, sixtieth}, IM_COL32(255, 255, 255, 120));
-    char label[32];
-    std::snprintf(label, sizeof label, "%.0f ms", static_cast<double>(range));
-    draw.AddText({corner.x + 4, corner.y + 2}, ImGui::GetColorU32(ImGuiCol_Text), label);
+    const auto [corner, end] =
+        plot_columns(times.size(), PictureTimes::length, range, [&](std::size_t age, const auto& add) {
+            const PictureTime& time = times.at(age);
+            add(time.cloth, cloth_color);
+            add(time.drawing, drawing_color);
+            add(time.rest(), rest_color);
+        });
+    const float sixtieth = end.y - 1000.0f / 60 / range * (end.y - corner.y);
+    ImGui::GetWindowDrawList()->AddLine({corner.x, sixtieth}, {end.x, sixtieth},
+                                        IM_COL32(255, 255, 255, 120));
 }
 
 void picture_row(const char* name, ImU32 color, float now, float usual, float slowest, float whole) {
@@ -137,10 +138,7 @@ void picture_row(const char* name, ImU32 color, float now, float usual, float sl
 void picture_table(const PictureTimes& times) {
     if (times.size() == 0) return;
     const PictureTime now = times.at(0), usual = times.percentile(0.5f), slow = times.percentile(0.99f);
-    if (!ImGui::BeginTable("pictures", 5, ImGuiTableFlags_SizingStretchProp)) return;
-    ImGui::TableSetupColumn("of a picture [ms]", 0, 2.6f);
-    for (const char* title : {"now", "p50", "p99", "share"}) ImGui::TableSetupColumn(title, 0, 1);
-    ImGui::TableHeadersRow();
+    if (!begin_times("pictures", "of a picture [ms]")) return;
     picture_row("cloth", cloth_color, now.cloth, usual.cloth, slow.cloth, usual.whole);
     picture_row("drawing", drawing_color, now.drawing, usual.drawing, slow.drawing, usual.whole);
     picture_row("the rest", rest_color, now.rest(), usual.rest(), slow.rest(), usual.whole);
@@ -209,8 +207,7 @@ Result<void> times_panel(Simulation& simulation, const StageHistory& history, fl
                          const Look& look) {
     const Section section("Time of a picture");
     if (!section) return {};
-    const float em = ImGui::GetFontSize();
-    plot_pictures(look.times, {ImGui::GetContentRegionAvail().x, 4 * em});
+    plot_pictures(look.times);
     picture_table(look.times);
     ImGui::Separator();
     const StepReport& report = simulation.world().report();
@@ -221,7 +218,7 @@ Result<void> times_panel(Simulation& simulation, const StageHistory& history, fl
     const bool changed = budget_bar(settings, report);
     const auto stages = simulation.world().profile();
     if (begin_fold("Parts of a step")) {
-        plot_stages(stages, history, {ImGui::GetContentRegionAvail().x, 4 * em});
+        plot_stages(stages, history);
         stage_table(stages);
         ImGui::TreePop();
     }

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "demo/options/simulation_options.h"
+#include "demo/options/options.h"
 #include "weft/weft.h"
 
 namespace weft::demo {

@@ -18,7 +18,7 @@ namespace {
 constexpr float hanging_width = 0.8f, hanging_length = 1.1f, hung_height = 1.6f;  // [m]
 constexpr float bar_thickness = 0.035f, bar_mass = 0.8f;                          // [m], [kg]
 
-class Bar final : public Scene {
+class Bar final : public OneCloth {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         return {.wind = {.velocity = {0.5f, 0, -2.4f}, .gust = 0.6f, .gust_length = 1.0f}};
@@ -30,15 +30,14 @@ class Bar final : public Scene {
         ClothSettings settings;
         settings.fabric = {
             .areal_density = 0.25f, .warp = 2000, .weft = 2000, .shear = 400, .bending = 2e-5f};
-        cloth_ = must(world.add_cloth(mesh_, settings));
+        SceneContent content =
+            add_cloth(world, settings, two_sided({0.42f, 0.12f, 0.08f}, 0.16f),
+                      {.target = {0, 1.0f, 0}, .distance = 2.9f, .yaw = 0.7f, .pitch = 0.12f});
         top_ = row_of(mesh_, 0);
         must(world.pin(cloth_, top_));
         const ColliderId shown = add_bar(world, row_of(mesh_, mesh_.rows - 1));
 
-        SceneContent content;
-        content.cloths.push_back({cloth_, mesh_, two_sided({0.42f, 0.12f, 0.08f}, 0.16f)});
         content.drawn_colliders = {shown};
-        content.camera = {.target = {0, 1.0f, 0}, .distance = 2.9f, .yaw = 0.7f, .pitch = 0.12f};
         return content;
     }
 
@@ -80,9 +79,7 @@ class Bar final : public Scene {
         return shape;
     }
 
-    ClothId cloth_;
     BodyId bar_;
-    Mesh mesh_;
     std::vector<std::uint32_t> top_;
 };
 
@@ -108,7 +105,7 @@ struct Props {
     Rotation rotation{};
 };
 
-class BodyScene : public Scene {
+class BodyScene : public OneCloth {
   public:
     explicit BodyScene(Props props) : props_(std::move(props)) {}
     [[nodiscard]] int check_steps() const override { return 600; }
@@ -117,17 +114,16 @@ class BodyScene : public Scene {
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
         mesh_ = sheet_of(options.particles_or(1600), {-0.5f * cloth_side, hung_at, -0.5f * cloth_side},
                          {cloth_side, 0, 0}, {0, 0, cloth_side});
-        cloth_ = must(world.add_cloth(mesh_, {.fabric = props_.fabric, .air_damping = 1}));
+        SceneContent content = add_cloth(
+            world, {.fabric = props_.fabric, .air_damping = 1}, two_sided({0.16f, 0.42f, 0.5f}, 0.1f),
+            {.target = {0, 0.75f, 0}, .distance = 2.6f, .yaw = 0.5f, .pitch = 0.3f});
         must(world.pin(cloth_, held_vertices()));
         body_ = must(world.add_body({.mass = props_.mass, .inertia = props_.inertia},
                                     {.position = props_.start, .rotation = props_.rotation}));
         const auto shape = must(world.add_collider(props_.shape));
         must(world.attach_collider(body_, shape));
 
-        SceneContent content;
-        content.cloths.push_back({cloth_, mesh_, two_sided({0.16f, 0.42f, 0.5f}, 0.1f)});
         content.drawn_colliders = {shape};
-        content.camera = {.target = {0, 0.75f, 0}, .distance = 2.6f, .yaw = 0.5f, .pitch = 0.3f};
         return content;
     }
 
@@ -173,9 +169,7 @@ class BodyScene : public Scene {
     }
 
     Props props_;
-    ClothId cloth_;
     BodyId body_;
-    Mesh mesh_;
 };
 
 }  // namespace

@@ -69,7 +69,7 @@ std::vector<Vector3> folded_edge(std::uint32_t columns) {
     return edge;
 }
 
-class Curtain final : public Scene {
+class Curtain final : public OneCloth {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         return {.wind = {.velocity = {0.15f, 0, 0.6f}, .gust = 0.6f}};
@@ -80,15 +80,15 @@ class Curtain final : public Scene {
 
         ClothSettings settings;
         settings.self_collision.method = SelfCollisionMethod::contact;
-        cloth_ = must(world.add_cloth(mesh_, settings));
+        SceneContent content =
+            add_cloth(world, settings, two_sided({0.10f, 0.22f, 0.42f}, 0.13f),
+                      {.target = {0, 1.22f, 0}, .distance = 3.9f, .yaw = 0.35f, .pitch = 0.08f});
         for (std::uint32_t ring = 0; ring <= spans; ++ring) must(world.pin(cloth_, ring_vertex(ring)));
 
         const float reach = 0.5f * curtain_width + 0.05f;
         const auto rod = must(
             world.add_collider({.shape = Capsule{{-reach, rod_height, 0}, {reach, rod_height, 0}, 0.015f}}));
 
-        SceneContent content;
-        content.cloths.push_back({cloth_, mesh_, two_sided({0.10f, 0.22f, 0.42f}, 0.13f)});
         content.drawn_colliders = {rod};
         place_rings(0);
         content.solids.push_back({.mesh = {.positions = *rings_, .triangles = ring_triangles(spans + 1)},
@@ -96,7 +96,6 @@ class Curtain final : public Scene {
                                   .place = [rings = rings_](std::span<Vec3> to, SolidMoment) {
                                       std::ranges::copy(*rings, to.begin());
                                   }});
-        content.camera = {.target = {0, 1.22f, 0}, .distance = 3.9f, .yaw = 0.35f, .pitch = 0.08f};
         return content;
     }
 
@@ -153,8 +152,6 @@ class Curtain final : public Scene {
         for (std::uint32_t ring = 0; ring <= spans; ++ring) append_ring(ring_place(ring, time), *rings_);
     }
 
-    ClothId cloth_;
-    Mesh mesh_;
     double time_ = 0;
     std::shared_ptr<std::vector<Vec3>> rings_ = std::make_shared<std::vector<Vec3>>();
 };

@@ -16,7 +16,7 @@ constexpr float fly = 1.5f, hoist = 1.0f;  // [m]
 constexpr float hoist_top = 2.55f;         // height of the hoist's top, at the pole [m]
 constexpr float pole_radius = 0.025f;      // [m]
 
-class Flag final : public Scene {
+class Flag final : public OneCloth {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         return {.wind = {.velocity = {6.0f, 0, 1.0f}, .gust = 0.5f}, .substeps = 4};
@@ -29,17 +29,16 @@ class Flag final : public Scene {
         settings.fabric.areal_density = 0.12f;
         settings.fabric.bending = 5e-6f;
         settings.self_collision.method = SelfCollisionMethod::contact;
-        cloth_ = must(world.add_cloth(mesh_, settings));
+        SceneContent content =
+            add_cloth(world, settings, {.stripe_width = 0.25f},
+                      {.target = {0.65f, 1.8f, 0}, .distance = 3.4f, .yaw = 0.35f, .pitch = 0.04f});
         must(world.pin(cloth_, column_of(mesh_, 0)));
 
         const float axis = -1.5f * pole_radius;
         const auto pole = must(
             world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, hoist_top + 0.06f, 0}, pole_radius}}));
 
-        SceneContent content;
-        content.cloths.push_back({cloth_, mesh_, {.stripe_width = 0.25f}});
         content.drawn_colliders = {pole};
-        content.camera = {.target = {0.65f, 1.8f, 0}, .distance = 3.4f, .yaw = 0.35f, .pitch = 0.04f};
         return content;
     }
 
@@ -59,10 +58,6 @@ class Flag final : public Scene {
         checks.at_least("the ripples' depth across the wind [m]", ripple, 0.05f);
         return checks.result();
     }
-
-  private:
-    ClothId cloth_;
-    Mesh mesh_;
 };
 
 }  // namespace
@@ -78,7 +73,7 @@ namespace {
 constexpr float banner_length = 2.4f, banner_height = 0.7f, banner_top = 2.2f;  // [m]
 constexpr float ends_apart = 0.94f;  // over its length; it hangs and billows by the rest
 
-class Banner final : public Scene {
+class Banner final : public OneCloth {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         return {.wind = {.velocity = {0.5f, 0, -5.0f}, .gust = 0.5f}, .substeps = 2};
@@ -89,19 +84,18 @@ class Banner final : public Scene {
                          {banner_length, 0, 0}, {0, -banner_height, 0});
         ClothSettings settings;
         settings.fabric = {.areal_density = 0.14f, .warp = 800, .weft = 800, .shear = 200, .bending = 8e-6f};
-        cloth_ = must(world.add_cloth(mesh_, settings));
+        SceneContent content =
+            add_cloth(world, settings, two_sided({0.07f, 0.2f, 0.42f}, 0.3f),
+                      {.target = {0, 1.55f, 0}, .distance = 4.0f, .yaw = 0.5f, .pitch = 0.1f});
         for (const std::uint32_t end : {0u, mesh_.columns - 1})
             must(world.pin(cloth_, column_of(mesh_, end)));
 
-        SceneContent content;
         for (const float side : {-0.5f, 0.5f}) {
             const float x = side * (ends_apart * banner_length + 0.05f);
             const auto pole =
                 must(world.add_collider({.shape = Capsule{{x, 0, 0}, {x, banner_top + 0.08f, 0}, 0.02f}}));
             content.drawn_colliders.push_back(pole);
         }
-        content.cloths.push_back({cloth_, mesh_, two_sided({0.07f, 0.2f, 0.42f}, 0.3f)});
-        content.camera = {.target = {0, 1.55f, 0}, .distance = 4.0f, .yaw = 0.5f, .pitch = 0.1f};
         return content;
     }
 
@@ -132,9 +126,6 @@ class Banner final : public Scene {
         const auto part = static_cast<float>(std::min(time, 1.0));
         return {start.x * (1 - (1 - ends_apart) * part), start.y, start.z};
     }
-
-    ClothId cloth_;
-    Mesh mesh_;
 };
 
 }  // namespace

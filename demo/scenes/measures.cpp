@@ -107,6 +107,15 @@ float closest_layers(const Mesh& mesh, const ClothView& view, float rest_apart) 
     return closest;
 }
 
+SceneContent OneCloth::add_cloth(World& world, const ClothSettings& settings, const render::FabricLook& look,
+                                 const render::OrbitCamera& camera) {
+    cloth_ = must(world.add_cloth(mesh_, settings));
+    SceneContent content;
+    content.cloths.push_back({cloth_, mesh_, look});
+    content.camera = camera;
+    return content;
+}
+
 void Checks::at_least(std::string_view what, float value, float bound) {
     if (!(value >= bound)) {
         fail(std::string(what) + " is " + text(value) + ", expected at least " + text(bound));

@@ -1,5 +1,5 @@
 #pragma once
-// Grid sizes for the sheets of scenes, and measures for their checks.
+// Sheets of scenes, and measures for the scenes' checks.
 
 #include <cstdint>
 #include <limits>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "demo/scene.h"
 #include "engine/vector.h"
 #include "weft/weft.h"
 
@@ -38,6 +39,17 @@ struct Stretch {
 /// Distance of the closest two particles whose rest positions are at least `rest_apart` from each other [m]:
 /// how well layers are kept apart. For a mesh that starts as its own rest shape.
 [[nodiscard]] float closest_layers(const Mesh& mesh, const ClothView& view, float rest_apart);
+
+/// A scene of one cloth.
+class OneCloth : public Scene {
+  protected:
+    /// Adds mesh_ to the World, as cloth_. Returns what is drawn: the cloth alone. Throws Refusal.
+    SceneContent add_cloth(World& world, const ClothSettings& settings, const render::FabricLook& look,
+                           const render::OrbitCamera& camera);
+
+    ClothId cloth_;
+    Mesh mesh_;
+};
 
 /// Collects what a scene expects of its end. A value that is not a number meets no expectation.
 class Checks {

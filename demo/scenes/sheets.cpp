@@ -19,7 +19,7 @@ constexpr float fall = 0.35f;        // from the start to the top of the sphere 
 constexpr Sphere sphere{{0, 0.4f, 0}, 0.4f};
 constexpr float thickness = 0.008f;  // [m]
 
-class Sheet final : public Scene {
+class Sheet final : public OneCloth {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         // thin still air: the sheet falls in a second
@@ -34,14 +34,13 @@ class Sheet final : public Scene {
         ClothSettings settings;
         settings.self_collision = {.method = SelfCollisionMethod::contact};
         settings.thickness = thickness;
-        cloth_ = must(world.add_cloth(mesh_, settings));
+        SceneContent content =
+            add_cloth(world, settings, two_sided({0.62f, 0.45f, 0.16f}, 0.18f),
+                      {.target = {0, 0.32f, 0}, .distance = 3.1f, .yaw = 0.6f, .pitch = 0.45f});
         const auto ball = must(world.add_collider({.shape = sphere, .friction = 0.5f}));
         must(world.add_collider({.shape = Plane{}, .friction = 0.6f}));
 
-        SceneContent content;
-        content.cloths.push_back({cloth_, mesh_, two_sided({0.62f, 0.45f, 0.16f}, 0.18f)});
         content.drawn_colliders = {ball};
-        content.camera = {.target = {0, 0.32f, 0}, .distance = 3.1f, .yaw = 0.6f, .pitch = 0.45f};
         return content;
     }
 
@@ -69,10 +68,6 @@ class Sheet final : public Scene {
         checks.at_most("a corner's height above the ground [m]", corner, 0.2f);
         return checks.result();
     }
-
-  private:
-    ClothId cloth_;
-    Mesh mesh_;
 };
 
 }  // namespace
@@ -88,7 +83,7 @@ namespace {
 constexpr float rag_side = 0.8f, rag_ball = 0.22f, ball_height = 0.55f;  // [m]
 constexpr double swings_by = 0.45, swings_in = 2.4, swings_from = 0.8;   // [m], [s], [s]
 
-class Rag final : public Scene {
+class Rag final : public OneCloth {
   public:
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {
         mesh_ = sheet_of(options.particles_or(2500),
@@ -97,14 +92,13 @@ class Rag final : public Scene {
         ClothSettings settings;
         settings.fabric = {.areal_density = 0.25f, .warp = 600, .weft = 600, .shear = 120, .bending = 1e-5f};
         settings.self_collision = {.method = SelfCollisionMethod::contact};
-        cloth_ = must(world.add_cloth(mesh_, settings));
+        SceneContent content =
+            add_cloth(world, settings, two_sided({0.42f, 0.14f, 0.36f}, 0.1f),
+                      {.target = {0, 0.45f, 0}, .distance = 2.4f, .yaw = 0.35f, .pitch = 0.22f});
         ball_ = must(world.add_collider({.shape = ball_at(0), .friction = 0.8f}));
         must(world.add_collider({.shape = Plane{}}));
 
-        SceneContent content;
-        content.cloths.push_back({cloth_, mesh_, two_sided({0.42f, 0.14f, 0.36f}, 0.1f)});
         content.drawn_colliders = {ball_};
-        content.camera = {.target = {0, 0.45f, 0}, .distance = 2.4f, .yaw = 0.35f, .pitch = 0.22f};
         return content;
     }
 
@@ -138,9 +132,7 @@ class Rag final : public Scene {
         return {{x, ball_height, z}, rag_ball};
     }
 
-    ClothId cloth_;
     ColliderId ball_;
-    Mesh mesh_;
     double time_ = 0;
 };
 
@@ -163,7 +155,7 @@ constexpr float hold_height = 0.4f;                  // height at which the top 
 constexpr float sway = 0.015f;       // [m]
 constexpr double sway_period = 0.9;  // [s]
 
-class Ribbon final : public Scene {
+class Ribbon final : public OneCloth {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
         return {.wind = {.gust = 0}, .substeps = 2};
@@ -184,16 +176,13 @@ class Ribbon final : public Scene {
         settings.air_damping = 1.0f;
         settings.self_collision = {.method = SelfCollisionMethod::contact, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;
-        cloth_ = must(world.add_cloth(mesh_, settings));
+        SceneContent content =
+            add_cloth(world, settings,
+                      {.front = {0.50f, 0.05f, 0.20f}, .back = {0.70f, 0.50f, 0.15f}, .roughness = 0.4f},
+                      {.target = {0, 0.2f, 0}, .distance = 1.0f, .yaw = 0.7f, .pitch = 0.35f});
         must(world.pin(cloth_, row_of(mesh_, 0)));
         must(world.add_collider({.shape = Plane{}, .friction = 0.7f}));
 
-        SceneContent content;
-        content.cloths.push_back(
-            {cloth_,
-             mesh_,
-             {.front = {0.50f, 0.05f, 0.20f}, .back = {0.70f, 0.50f, 0.15f}, .roughness = 0.4f}});
-        content.camera = {.target = {0, 0.2f, 0}, .distance = 1.0f, .yaw = 0.7f, .pitch = 0.35f};
         return content;
     }
 
@@ -244,8 +233,6 @@ class Ribbon final : public Scene {
             {-view.bounds.lower.x, view.bounds.upper.x, -view.bounds.lower.z, view.bounds.upper.z});
     }
 
-    ClothId cloth_;
-    Mesh mesh_;
     float distance_ = 0;
     double time_ = 0;
 };

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "demo/study/commands.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "demo/study/commands.h"
+#include "demo/study/study_options.h"
 
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include "demo/study/accuracy/accuracy_rows.h"
 #include "demo/study/accuracy/motion_measures.h"
-#include "demo/study/commands.h"
 #include "demo/study/run.h"
+#include "demo/study/study_options.h"
 #include "study_folder.h"
 
 namespace weft::study {

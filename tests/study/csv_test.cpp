@@ -9,7 +9,7 @@
 #include <string>
 
 #include "demo/study/charts/csv.h"
-#include "demo/study/commands.h"
+#include "demo/study/study_options.h"
 #include "study_folder.h"
 
 namespace weft::study {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "demo/character/motion/skeleton.h"
+#include "demo/character/motion/motion.h"
 #include "weft/error.h"
 
 namespace weft::demo {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "demo/character/garment/garment.h"
-#include "demo/character/motion/bvh.h"
+#include "demo/character/motion/motion.h"
 #include "weft/error.h"
 #include "weft/mesh.h"
 

@@ -1,4 +1,4 @@
-#include "demo/character/motion/bvh.h"
+#include "demo/character/motion/motion.h"
 
 #include <array>
 #include <charconv>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cloth/mesh/coordinates.h"
+#include "demo/must.h"
 
 namespace weft::demo {
 namespace {
@@ -40,36 +41,34 @@ class BvhWords {
         if (c != EOF) stream_.unget();
         return word_;
     }
-    [[nodiscard]] Error error(const std::string& wanted) const {
+    [[noreturn]] void refuse(const std::string& wanted) const {
         const std::string found = word_.empty() ? "the file ends" : "\"" + word_.substr(0, 40) + "\" stands";
-        return {ErrorCode::malformed_file,
-                file_ + ":" + std::to_string(line_) + ": " + found + " where " + wanted + " must stand"};
+        throw Refusal({ErrorCode::malformed_file, file_ + ":" + std::to_string(line_) + ": " + found +
+                                                      " where " + wanted + " must stand"});
     }
-    [[nodiscard]] Error error_of_file(const std::string& length) const {
-        return {ErrorCode::malformed_file,
-                file_ + ": " + length + "; it must be at most " + std::to_string(runaway_distance) + " m"};
+    [[noreturn]] void refuse_length(const std::string& length) const {
+        throw Refusal({ErrorCode::malformed_file, file_ + ": " + length + "; it must be at most " +
+                                                      std::to_string(runaway_distance) + " m"});
     }
-    [[nodiscard]] Result<void> expect(const char* word) {
-        if (next() == word) return {};
-        return error(std::string("\"") + word + "\"");
+    void expect(const char* word) {
+        if (next() != word) refuse(std::string("\"") + word + "\"");
     }
-    [[nodiscard]] Result<double> number(const std::string& what) {
+    [[nodiscard]] double number(const std::string& what) {
         next();
         double value = 0;
         const char* const end = word_.data() + word_.size();
         const auto [read, code] = std::from_chars(word_.data(), end, value);
         if (code != std::errc{} || read != end || !(std::abs(value) <= 1e9))
-            return error(what + ", a finite number,");
+            refuse(what + ", a finite number,");
         return value;
     }
-    [[nodiscard]] Result<std::size_t> count(const char* what, std::size_t least, std::size_t most) {
-        const auto value = number(what);
-        if (!value) return value.error();
-        if (*value >= static_cast<double>(least) && *value <= static_cast<double>(most) &&
-            *value == std::floor(*value))
-            return static_cast<std::size_t>(*value);
-        return error(std::string(what) + ", a whole number from " + std::to_string(least) + " to " +
-                     std::to_string(most) + ",");
+    [[nodiscard]] std::size_t count(const char* what, std::size_t least, std::size_t most) {
+        const double value = number(what);
+        if (value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
+            value == std::floor(value))
+            return static_cast<std::size_t>(value);
+        refuse(std::string(what) + ", a whole number from " + std::to_string(least) + " to " +
+               std::to_string(most) + ",");
     }
     [[nodiscard]] const std::string& word() const { return word_; }
 
@@ -90,79 +89,72 @@ class BvhParser {
   public:
     explicit BvhParser(BvhWords words) : words_(std::move(words)) {}
 
-    Result<Recording> parse() {
-        if (auto found = words_.expect("HIERARCHY"); !found) return found.error();
-        if (auto found = words_.expect("ROOT"); !found) return found.error();
-        if (auto read = read_joint(-1, false); !read) return read.error();
-        if (auto read = read_motion(); !read) return read.error();
+    /// Throws Refusal.
+    Recording parse() {
+        words_.expect("HIERARCHY");
+        words_.expect("ROOT");
+        read_joint(-1, false);
+        read_motion();
         shrink_from_centimetres();
-        if (auto near = check_places(); !near) return near.error();
+        check_places();
         return std::move(recording_);
     }
 
   private:
     /// Reads a joint and its children, from the joint's name to its closing brace.
-    Result<void> read_joint(int parent, bool is_end) {
+    void read_joint(int parent, bool is_end) {
         std::vector<Joint>& joints = recording_.skeleton.joints;
         if (joints.size() == most_joints)
-            return words_.error("the last of " + std::to_string(most_joints) + " joints");
+            words_.refuse("the last of " + std::to_string(most_joints) + " joints");
         const auto self = static_cast<int>(joints.size());
-        if (words_.next().empty()) return words_.error("the joint's name");
+        if (words_.next().empty()) words_.refuse("the joint's name");
         joints.push_back({is_end ? std::string() : words_.word(), parent, Vector3::Zero()});
-        if (auto found = words_.expect("{"); !found) return found;
-        if (auto found = words_.expect("OFFSET"); !found) return found;
+        words_.expect("{");
+        words_.expect("OFFSET");
         for (int axis = 0; axis < 3; ++axis) {
-            const auto value = words_.number("an offset");
-            if (!value) return value.error();
-            joints.back().offset[axis] = static_cast<float>(*value);
+            joints.back().offset[axis] = static_cast<float>(words_.number("an offset"));
         }
         if (!is_end) {
-            if (auto read = read_channels(static_cast<std::size_t>(self)); !read) return read;
+            read_channels(static_cast<std::size_t>(self));
         }
         for (;;) {
             const std::string word = words_.next();
-            if (word == "}") return {};
-            if (is_end || (word != "JOINT" && word != "End"))
-                return words_.error("\"JOINT\", \"End\" or \"}\"");
-            if (auto read = read_joint(self, word == "End"); !read) return read;
+            if (word == "}") return;
+            if (is_end || (word != "JOINT" && word != "End")) words_.refuse("\"JOINT\", \"End\" or \"}\"");
+            read_joint(self, word == "End");
         }
     }
 
-    Result<void> read_channels(std::size_t joint) {
-        if (auto found = words_.expect("CHANNELS"); !found) return found;
+    void read_channels(std::size_t joint) {
+        words_.expect("CHANNELS");
         const auto count = words_.count("the number of channels", 0, 6);
-        if (!count) return count.error();
-        for (std::size_t c = 0; c < *count; ++c) {
+        for (std::size_t c = 0; c < count; ++c) {
             words_.next();
             int kind = 0;
             while (kind < 6 && words_.word() != channel_names[static_cast<std::size_t>(kind)]) ++kind;
-            if (kind == 6) return words_.error("a channel, Xposition to Zrotation,");
+            if (kind == 6) words_.refuse("a channel, Xposition to Zrotation,");
             channels_.push_back({joint, kind});
         }
-        return {};
     }
 
-    Result<void> read_motion() {
-        if (auto found = words_.expect("MOTION"); !found) return found;
-        if (auto found = words_.expect("Frames:"); !found) return found;
+    void read_motion() {
+        words_.expect("MOTION");
+        words_.expect("Frames:");
         const auto frames = words_.count("the number of frames", 1, most_frames);
-        if (!frames) return frames.error();
-        if (const std::size_t joints = recording_.skeleton.size(); joints > most_rotations / *frames)
-            return words_.error("at most " + std::to_string(most_rotations / joints) + " frames, for " +
-                                std::to_string(joints) + " joints,");
-        if (auto found = words_.expect("Frame"); !found) return found;
-        if (auto found = words_.expect("Time:"); !found) return found;
+        if (const std::size_t joints = recording_.skeleton.size(); joints > most_rotations / frames)
+            words_.refuse("at most " + std::to_string(most_rotations / joints) + " frames, for " +
+                          std::to_string(joints) + " joints,");
+        words_.expect("Frame");
+        words_.expect("Time:");
         const auto time = words_.number("the time of a frame");
-        if (!time) return time.error();
-        if (!(*time >= 1e-4 && *time <= 10)) return words_.error("the time of a frame, 0.0001 to 10 s,");
-        recording_.frame_time = *time;
-        for (std::size_t frame = 0; frame < *frames; ++frame) {
-            if (auto read = read_frame(frame); !read) return read;
+        if (!(time >= 1e-4 && time <= 10)) words_.refuse("the time of a frame, 0.0001 to 10 s,");
+        recording_.frame_time = time;
+        for (std::size_t frame = 0; frame < frames; ++frame) {
+            read_frame(frame);
         }
-        return {};
     }
 
-    Result<void> read_frame(std::size_t frame) {
+    void read_frame(std::size_t frame) {
         JointAngles angles = JointAngles::at_rest(recording_.skeleton);
         angles.root = recording_.skeleton.joints.front().offset;
         for (const Channel& channel : channels_) {
@@ -170,16 +162,14 @@ class BvhParser {
             const auto value = words_.number("frame " + std::to_string(frame + 1) + "'s " +
                                              channel_names[static_cast<std::size_t>(channel.kind)] + " of " +
                                              name.substr(0, 40));
-            if (!value) return value.error();
             if (channel.kind >= 3) {
                 Quaternion& q = angles.rotations[channel.joint];
-                q = (q * about_axis(channel.kind - 3, *value)).normalized();
+                q = (q * about_axis(channel.kind - 3, value)).normalized();
             } else if (channel.joint == 0) {
-                angles.root[channel.kind] = static_cast<float>(*value);
+                angles.root[channel.kind] = static_cast<float>(value);
             }
         }
         recording_.frames.push_back(std::move(angles));
-        return {};
     }
 
     void shrink_from_centimetres() {
@@ -196,17 +186,16 @@ class BvhParser {
     }
 
     /// No bone and no place of the root may be farther out than cloth may be.
-    [[nodiscard]] Result<void> check_places() const {
+    void check_places() const {
         const auto far = [](const Vector3& v) { return !(v.cwiseAbs().maxCoeff() <= runaway_distance); };
         for (const Joint& joint : recording_.skeleton.joints)
             if (far(joint.offset))
-                return words_.error_of_file("the offset of joint " + joint.name.substr(0, 40) + " is " +
-                                            std::to_string(joint.offset.norm()) + " m");
+                words_.refuse_length("the offset of joint " + joint.name.substr(0, 40) + " is " +
+                                     std::to_string(joint.offset.norm()) + " m");
         for (const JointAngles& frame : recording_.frames)
             if (far(frame.root))
-                return words_.error_of_file("a frame puts the root " + std::to_string(frame.root.norm()) +
-                                            " m from the origin");
-        return {};
+                words_.refuse_length("a frame puts the root " + std::to_string(frame.root.norm()) +
+                                     " m from the origin");
     }
 
     BvhWords words_;
@@ -220,7 +209,7 @@ Result<Recording> read_bvh(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream || std::filesystem::is_directory(file))
         return Error{ErrorCode::file_not_found, file.string() + ": cannot be read; name a BVH file"};
-    return BvhParser(BvhWords(stream, file.string())).parse();
+    return caught([&] { return BvhParser(BvhWords(stream, file.string())).parse(); });
 }
 
 }  // namespace weft::demo

@@ -57,7 +57,6 @@ class Streaks {
         float speed = 0;                 ///< of the air at the mote [m/s]
         bool before_cloth = false;
     };
-    [[nodiscard]] std::span<const Mote> motes() const { return motes_; }
     /// The streaks, fainter where they are older; none while not visible.
     [[nodiscard]] std::vector<render::DrawnLine> lines() const;
 

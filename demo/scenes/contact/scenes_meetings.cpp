@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "demo/scenes/contact/scene_meshes.h"
+#include "demo/scenes/contact/contact_scene.h"
 
 namespace weft::demo {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "demo/scenes/contact/scene_meshes.h"
+#include "demo/scenes/contact/contact_scene.h"
 
 namespace weft::demo {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "demo/scenes/contact/scene_meshes.h"
+#include "demo/scenes/contact/contact_scene.h"
 
 namespace weft::demo {
 

@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "demo/study/accuracy/accuracy_rows.h"
-#include "demo/study/commands.h"
 #include "demo/study/machine.h"
 #include "demo/study/run.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

@@ -9,10 +9,10 @@
 #include "demo/headless/frame_table.h"
 #include "demo/study/accuracy/motion_measures.h"
 #include "demo/study/charts/csv.h"
-#include "demo/study/commands.h"
 #include "demo/study/machine.h"
 #include "demo/study/reference/states.h"
 #include "demo/study/run.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

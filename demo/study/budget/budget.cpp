@@ -16,9 +16,9 @@
 #include "demo/headless/frame_table.h"
 #include "demo/study/charts/charts.h"
 #include "demo/study/charts/csv.h"
-#include "demo/study/commands.h"
 #include "demo/study/machine.h"
 #include "demo/study/run.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

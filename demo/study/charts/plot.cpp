@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "demo/study/charts/charts.h"
-#include "demo/study/commands.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 namespace {

@@ -6,9 +6,9 @@
 #include <future>
 
 #include "demo/study/charts/csv.h"
-#include "demo/study/commands.h"
 #include "demo/study/contact/contact_table.h"
 #include "demo/study/machine.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

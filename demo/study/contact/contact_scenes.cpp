@@ -10,7 +10,7 @@
 
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/must.h"
-#include "demo/scenes/contact/scene_meshes.h"
+#include "demo/scenes/contact/contact_scene.h"
 
 namespace weft::study {
 

@@ -15,8 +15,8 @@
 #include "demo/study/charts/charts.h"
 #include "demo/study/charts/csv.h"
 #include "demo/study/charts/gnuplot.h"
-#include "demo/study/commands.h"
 #include "demo/study/machine.h"
+#include "demo/study/study_options.h"
 #include "weft/mesh.h"
 
 namespace weft::study {

@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "demo/study/charts/csv.h"
-#include "demo/study/commands.h"
 #include "demo/study/machine.h"
 #include "demo/study/physics/physics_table.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "demo/study/charts/csv.h"
-#include "demo/study/physics/specimen.h"
+#include "demo/study/physics/experiment.h"
 
 namespace weft::study {
 

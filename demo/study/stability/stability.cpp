@@ -5,11 +5,11 @@
 #include <map>
 
 #include "demo/study/charts/csv.h"
-#include "demo/study/commands.h"
 #include "demo/study/machine.h"
 #include "demo/study/stability/stability_causes.h"
 #include "demo/study/stability/stability_cell.h"
 #include "demo/study/stability/stability_points.h"
+#include "demo/study/study_options.h"
 
 namespace weft::study {
 

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "demo/character/body/body.h"
-#include "demo/character/motion/bvh.h"
 #include "demo/character/motion/generated_walk.h"
 #include "demo/character/motion/motion.h"
 #include "tests/demo/character/temporary_file.h"

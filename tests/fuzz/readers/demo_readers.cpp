@@ -8,7 +8,7 @@
 #include "demo/character/character.h"
 #include "demo/character/garment/garment_file.h"
 #include "demo/character/garment/gltf_file.h"
-#include "demo/character/motion/bvh.h"
+#include "demo/character/motion/motion.h"
 #include "demo/look/settings_values.h"
 #include "demo/options/fabric_file.h"
 #include "tests/demo/character/gltf_example.h"

@@ -1,7 +1,8 @@
-#include "demo/scenes/contact/scene_meshes.h"
+#include "demo/scenes/contact/contact_scene.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace weft::demo {
@@ -96,6 +97,14 @@ Collider ground() {
 
 Vec3 to_point(const Eigen::Vector3d& p) {
     return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+std::vector<SceneMaker> contact_scenes() {
+    std::vector<SceneMaker> all;
+    for (const auto family :
+         {fold_scenes, stack_scenes, drape_scenes, forced_scenes, meeting_scenes, tangle_scenes})
+        std::ranges::move(family(), std::back_inserter(all));
+    return all;
 }
 
 }  // namespace weft::demo
