@@ -78,13 +78,13 @@ Finding hanging_chain(ForceModel model, std::uint32_t cells) {
     return finding("period", "s", period(chain, 6, deflection), chain_pendulum_period(1, gravity));
 }
 
-struct Swing {
+struct SquareSwing {
     double left;   ///< share of the energy above the still hang's after 2 s
     double speed;  ///< rms over the particles and from 1.5 to 2.5 s [m/s]
 };
 
 /// A square of 1 m, turned out by 60 degrees and let go, without air. `truth`: by BDF2 in 64 substeps.
-Swing swing(ForceModel model, std::uint32_t cells, float step, bool truth) {
+SquareSwing square_swing(ForceModel model, std::uint32_t cells, float step, bool truth) {
     Experiment cloth = tilted(model, cells, Fabric{}, 1.0472, 1);
     if (truth)
         cloth.change([](ClothSettings& settings) {
@@ -108,10 +108,10 @@ Swing swing(ForceModel model, std::uint32_t cells, float step, bool truth) {
 }
 
 std::vector<Finding> swings(ForceModel model, std::uint32_t cells) {
-    const Swing truth = swing(model, cells, 1.0f / 60, true);
+    const SquareSwing truth = square_swing(model, cells, 1.0f / 60, true);
     std::vector<Finding> findings;
     for (const int hz : {30, 60, 120, 240}) {
-        const Swing each = swing(model, cells, 1.0f / static_cast<float>(hz), false);
+        const SquareSwing each = square_swing(model, cells, 1.0f / static_cast<float>(hz), false);
         const std::string at = " at 1/" + std::to_string(hz) + " s";
         findings.push_back(finding("energy left" + at, "", each.left, truth.left));
         findings.push_back(finding("speed" + at, "m/s", each.speed, truth.speed));
