@@ -40,7 +40,7 @@ auto caught(const Compute& compute) -> Result<decltype(compute())> {
     }
 }
 
-/// Refuses what a file says.
+/// Throws the Refusal of a malformed file.
 [[noreturn]] inline void refuse(const std::string& what) {
     throw Refusal({ErrorCode::malformed_file, what});
 }

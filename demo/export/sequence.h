@@ -1,6 +1,5 @@
 #pragma once
-// Sequences of a mesh's positions in one file, in the format PC2, which Blender's Mesh Cache modifier and
-// others read.
+// A scene's cloths in all frames, as files for other programs.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,6 +15,7 @@
 
 namespace weft::demo {
 
+/// Positions of a mesh in the format PC2, which Blender's Mesh Cache modifier and others read.
 /// Little-endian: "POINTCACHE2" and a zero, version 1, number of points, first frame, frames per sample,
 /// number of samples; then each sample's points as three floats.
 class PointCache {

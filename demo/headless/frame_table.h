@@ -1,5 +1,5 @@
 #pragma once
-// Times and counts of every frame of a run.
+// Times and counts of every frame of a run, and the progress of the run on standard error.
 
 #include <algorithm>
 #include <chrono>

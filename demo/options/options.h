@@ -1,5 +1,5 @@
 #pragma once
-// Options that weft_demo and weft_profile have in common: the scene, and changes to it.
+// The options of weft_demo, and those that it shares with weft_profile: the scene, and changes to it.
 
 #include <charconv>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// Cycles, instructions and cache misses of this process, where the kernel lets it count them.
+// The options of weft_profile, the processor's counters, the table of stages, and the run that fills it.
 
 #include <array>
 #include <cstdint>

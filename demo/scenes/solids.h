@@ -1,5 +1,6 @@
 #pragma once
-// Solids of triangles, for colliders and for drawing, and what holds cloth.
+// Solids of triangles, counter-clockwise seen from outside, for colliders and for drawing; and holders of
+// cloth.
 
 #include <cstdint>
 #include <span>

@@ -1,5 +1,5 @@
 #pragma once
-// The machine and the commit that figures come from.
+// The machine and the commit that figures come from, and the progress of a long study.
 
 #include <chrono>
 #include <optional>

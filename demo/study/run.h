@@ -1,5 +1,5 @@
 #pragma once
-// One cloth stepped by one method, and timed.
+// The study's scenes, and one cloth stepped by one method, and timed.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #pragma once
-// Options of the commands of weft_study.
+// The commands of weft_study and their options.
 
 #include <cstdint>
 #include <filesystem>

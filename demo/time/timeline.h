@@ -1,5 +1,5 @@
 #pragma once
-// The last seconds of a simulation, to go back to.
+// The last seconds of a simulation, to go back to; and a check that a step has the same result twice.
 
 #include <cstddef>
 #include <cstdint>

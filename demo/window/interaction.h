@@ -1,5 +1,5 @@
 #pragma once
-// A knife that is drawn over the picture: it cuts the cloth under the pointer, all layers of it.
+// The mouse: it drags cloth by a hand, cuts it by a knife, or moves the camera.
 
 #include <cstdint>
 #include <string>
@@ -13,6 +13,7 @@
 
 namespace weft::demo {
 
+/// A knife that is drawn over the picture: it cuts all layers of the cloth under the pointer.
 class Knife {
   public:
     /// Begins a stroke at the ray.

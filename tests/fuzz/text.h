@@ -1,5 +1,5 @@
 #pragma once
-// Settings as text: for the log, and to tell whether two are the same.
+// Settings and Worlds as text: for the log, and to tell whether two are the same.
 
 #include <cstdint>
 #include <span>

@@ -1,5 +1,6 @@
 #pragma once
-// The surface of a tapered capsule as a distance function.
+// A body of tapered capsules that follows a skeleton, and distances to their surfaces. Radii are in
+// proportion to bone lengths.
 
 #include <vector>
 
@@ -15,6 +16,7 @@ struct SurfaceDistance {
     Vector3 normal;
 };
 
+/// The surface of a tapered capsule as a distance function.
 /// Unless one ball contains the other, a cone joins them. It touches each ball in a circle whose plane is
 /// `sine` times the radius from the centre, along the axis (I. Quilez, "Round cone", 2018).
 class RoundCone {

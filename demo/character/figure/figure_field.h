@@ -1,5 +1,6 @@
 #pragma once
-// The limbs that a person's drawn surface refers to: ends, radii and axes, without the twist of their bones.
+// The shape of a person's drawn surface: its limbs, without the twist of their bones; a smooth function of
+// them; and the triangles where a function on a grid is 0.
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #pragma once
-// A skinned character from a glTF 2.0 file: skeleton, motion, and a garment with weights.
+// A skinned character from a glTF 2.0 file (skeleton, motion, and a garment with weights), or its triangles
+// as cloth.
 
 #include <filesystem>
 #include <vector>

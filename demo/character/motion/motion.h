@@ -1,5 +1,6 @@
 #pragma once
-// Skeletons, joint angles and poses. +Y is up, +Z ahead, +X to the left [m].
+// Skeletons, joint angles and poses; motions, and recordings from BVH files. +Y is up, +Z ahead, +X to the
+// left [m].
 
 #include <cstddef>
 #include <filesystem>

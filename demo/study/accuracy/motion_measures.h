@@ -1,5 +1,5 @@
 #pragma once
-// The energy of a cloth of springs, in double precision.
+// Measures of motion in double precision: energy, stretch, and the speed and the rest of a swing.
 
 #include <algorithm>
 #include <cstdint>

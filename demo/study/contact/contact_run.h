@@ -1,5 +1,5 @@
 #pragma once
-// A scene in a World, step by step, through the interface that a host has.
+// A scene in a World, step by step, through the interface that a host has; and measures of its state.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// The triangles of all cloths of a World together, for the search for crossings.
+// The triangles of all cloths of a World, and the search for those that cross.
 
 #include <cstdint>
 #include <utility>

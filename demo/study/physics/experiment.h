@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of cloth to be tested, as sheets and as meshes of triangles, and their settings.
+// Strips of cloth to be tested, as sheets and as meshes of triangles, and one cloth in a World of its own.
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,5 @@
 #pragma once
-// A sparse symmetric matrix of 3x3 blocks, one row of blocks per particle, in double precision. Its pattern
-// is made once; then only values change.
+// Sparse symmetric systems of 3 x 3 blocks, and their solution as exact as double precision allows.
 
 #include <array>
 #include <cstdint>
@@ -18,6 +17,7 @@ namespace weft::study {
 /// Two particles that act on each other, the smaller first.
 using ParticlePair = std::array<std::uint32_t, 2>;
 
+/// One row of blocks per particle. The pattern is made once; then only values change.
 class BlockMatrix {
   public:
     using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;

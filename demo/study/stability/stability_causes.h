@@ -1,5 +1,5 @@
 #pragma once
-// The causes for which cells of the stability maps fail, derived from their measurements.
+// The causes for which cells of the stability maps fail, and the eigenvalues that they are derived from.
 
 #include <filesystem>
 #include <string>

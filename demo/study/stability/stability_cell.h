@@ -1,5 +1,5 @@
 #pragma once
-// The verdict on a run from a hard start: one of four words.
+// One cell of a stability map (one method at one stiffness and step, from one start), and the verdict on it.
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// A screen that nobody sees, and hands on its mouse and keys: Xvfb and xdotool.
+// The real window, with real events, on a screen that nobody sees (Xvfb and xdotool).
 
 #include <gtest/gtest.h>
 

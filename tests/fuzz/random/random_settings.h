@@ -1,5 +1,6 @@
 #pragma once
-// Shapes that a World is to hold: meshes, open and closed, hulls, ground, distance fields, and broken ones.
+// Random shapes, meshes and settings: each value within its documented range, with a bias to the ends; now
+// and then beyond it.
 
 #include <array>
 #include <vector>
@@ -22,17 +23,15 @@ struct OwnedShape {
     [[nodiscard]] Shape shape() const;
 };
 
-/// At most some 300 triangles, within a metre.
+/// A mesh, open or closed, a hull, ground, a distance field, or a broken one. At most some 300 triangles,
+/// within a metre.
 [[nodiscard]] Drawn<OwnedShape> random_shape(Random& random);
 /// As many vertices, moved a little; or another number of them, or some that are not finite.
 [[nodiscard]] Drawn<std::vector<Vec3>> random_deformation(Random& random, const OwnedShape& shape);
 
-// Meshes of all kinds: sheets, general meshes, several components, patterns with seams, and broken ones.
-
-/// At most some 1700 vertices, within a few metres of the origin.
+/// A sheet, a general mesh, several components, a pattern with seams, or a broken one. At most some 1700
+/// vertices, within a few metres of the origin.
 [[nodiscard]] Drawn<Mesh> random_mesh(Random& random);
-
-// Settings, each field within its documented range, with a bias to the ends; now and then beyond it.
 
 /// Passes over the particles that a step of the cloth takes with these settings, about.
 [[nodiscard]] std::uint64_t passes_of(const ClothSettings& settings);
