@@ -64,9 +64,9 @@ struct ShownPart {
     const char* name;
     const char* explanation;
 };
-constexpr std::array parts{
+constexpr std::array shown_parts{
     ShownPart{DebugParts::strain, "stretch",
-         "Edges: red where they are 5 % longer than at rest, blue where shorter."},
+              "Edges: red where they are 5 % longer than at rest, blue where shorter."},
     ShownPart{DebugParts::velocities, "velocities", "Lines to where each particle will be in 1/60 s."},
     ShownPart{DebugParts::normals, "normals", "Which way the front of the cloth faces."},
     ShownPart{DebugParts::pins, "pins", "What holds the cloth, and how far it is from where it should be."},
@@ -74,7 +74,7 @@ constexpr std::array parts{
     ShownPart{DebugParts::tangles, "crossings", "Where cloth goes through cloth. There should be none."},
     ShownPart{DebugParts::colliders, "bodies", "Surfaces that the cloth keeps out of."},
     ShownPart{DebugParts::levels, "multigrid levels",
-         "Knots of the coarse nets by which it is computed: redder is coarser."},
+              "Knots of the coarse nets by which it is computed: redder is coarser."},
     ShownPart{DebugParts::cloths, "boxes", "Of each cloth: green awake, blue asleep."},
     ShownPart{DebugParts::costs, "cost per cloth", "Milliseconds that each cloth took in the last step."},
 };
@@ -108,7 +108,7 @@ Result<void> inside_panel(Simulation& simulation, Inside& inside) {
     const float half = 0.5f * ImGui::GetContentRegionAvail().x;
     Result<void> result;
     int place = 1;
-    for (const ShownPart& each : parts) {
+    for (const ShownPart& each : shown_parts) {
         if (place++ % 2 == 1) ImGui::SameLine(half);
         bool shown = has(inside.parts, each.part);
         if (ImGui::Checkbox(each.name, &shown)) {

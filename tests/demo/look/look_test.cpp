@@ -17,7 +17,6 @@
 #include "demo/look/look.h"
 #include "demo/look/materials.h"
 #include "demo/look/quality_choice.h"
-#include "demo/look/recorder.h"
 #include "demo/look/rounded_mesh.h"
 #include "demo/look/settings_file.h"
 #include "demo/window/input.h"
