@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "collision/geometry/surfaces.h"
+
 namespace weft {
 
 namespace {
@@ -164,15 +166,16 @@ void FeatureContact::make_laws(Parallel& parallel) {
             const std::size_t a = is_alone ? 0 : body_of(bodies_.span(), pair.corners[0]);
             const std::size_t b = is_alone ? 0 : body_of(bodies_.span(), pair.corners[3]);
             const bool is_left_alone = (of_a == 2 && is_at_border) || (!exempt.empty() && exempt[k] != 0) ||
-                                       !(pairs_.shapes[k].normal.w > 0) ||
-                                       (a == b && are_near_at_rest(pair, of_a));
-            const float radius =
-                0.5f * (cloths_[a].radius + cloths_[b].radius) * (is_at_border ? of_borders : 1);
+                                       !(pairs_.shapes[k].normal.w > 0);
+            const bool are_neighbours = !is_left_alone && a == b && are_near_at_rest(pair, of_a);
+            const float radius = 0.5f * (cloths_[a].radius + cloths_[b].radius) *
+                                 (is_at_border ? of_borders : 1) * (are_neighbours ? of_neighbours : 1);
             const float gap = std::min(pairs_.shapes[k].normal.w, radius);
             laws_[k] = {.radius = is_left_alone ? 0 : gap + parted_in_a_step * (radius - gap),
                         .friction = a == b ? cloths_[a].friction
-                                           : std::sqrt(cloths_[a].friction * cloths_[b].friction)};
-            wanted_[k] = projected_gap * laws_[k].radius;
+                                           : friction_between(cloths_[a].friction, cloths_[b].friction)};
+            wanted_[k] = std::max(projected_gap * laws_[k].radius,
+                                  kept_floors * std::max(cloths_[a].floor, cloths_[b].floor));
         }
     });
     leave_borders_to_faces();
@@ -203,8 +206,7 @@ void FeatureContact::leave_borders_to_faces() {
         const std::uint32_t face = nearest_of(k);
         if (face == none || !shapes[k].is_at_border()) continue;
         const float along = xyz(shapes[face].normal).dot(xyz(shapes[k].normal));
-        if (along > 0 && along < leans && shapes[face].normal.w <= distance(k))
-            laws_[k].radius = wanted_[k] = 0;
+        if (along > 0 && along < leans && shapes[face].normal.w <= distance(k)) laws_[k].radius = 0;
     }
 }
 

@@ -182,8 +182,16 @@ class FeatureContact {
     /// Fraction of the radius for pairs whose closest points are at a border, three pairs in four. Features
     /// beside these are mostly nearer, and have the force.
     static constexpr float of_borders = 0.5f;
+    /// Fraction of the radius for pairs that are near each other at rest. The radius would unfold them. With
+    /// none, only the cut would know of them: a fold no wider than a triangle would try to pass through
+    /// itself in every step, and stay.
+    static constexpr float of_neighbours = 0.1f;
     /// Fraction of the radius to which pairs that the solver left too near are projected before the cut.
     static constexpr float projected_gap = 0.5f;
+    /// The least gap to which any pair is projected, with force or without, in floors. The cut shortens the
+    /// whole motion of a particle that would come nearer than the floor, so what stands at the floor could
+    /// not slide, either.
+    static constexpr float kept_floors = 2;
     static constexpr std::uint32_t projections = 4;
 
     void number_bodies();

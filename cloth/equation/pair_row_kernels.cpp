@@ -17,8 +17,12 @@ namespace {
 
 static_assert(PairGroup::lanes == group_lanes);
 
-// The depth from which a spring has its full stiffness, over its radius.
+// The depth within which a spring reaches its full stiffness, over the pair's radius.
 constexpr float onset_per_radius = 0.1f;
+// A second spring begins at this part of the radius, and is so many times as stiff as the first. It carries
+// squeezed and strained cloth, whose own springs are a thousand times as stiff as the first. If only the cut
+// held that, every step would ask for the same motion again, and the cloth around would tremble.
+constexpr float hard_from = 0.5f, hard_per_spring = 30;
 // The damper of a pair that does not slide, over the full spring: layers on a slope creep by 0.005 mm/s.
 constexpr float stick_per_spring = 10;
 
@@ -106,6 +110,20 @@ void fill(const PairSources& from, const BlockRange& pairs, PairGroup* groups) {
     }
 }
 
+/// A spring's stiffness [kg] and its force, over gamma^-2 [kg m].
+struct SpringLanes {
+    Lanes stiffness, force;
+};
+
+/// A spring that begins at depth 0. Up to the onset its force grows with the square of the depth, beyond it
+/// linearly.
+HWY_INLINE SpringLanes spring_at(Lanes depth, Lanes onset, Lanes full) {
+    const auto pushes = hn::Gt(depth, set(0));
+    const Lanes part = hn::IfThenElseZero(pushes, hn::Min(hn::Div(depth, onset), set(1)));
+    const Lanes stiffness = hn::Mul(full, part);
+    return {stiffness, hn::Mul(stiffness, hn::NegMulAdd(hn::Mul(set(0.5f), part), onset, depth))};
+}
+
 /// A part's values, one pair to a row.
 struct PartShares {
     alignas(64) Vec4 diagonal[part_lanes], off_diagonal[part_lanes], impulse[part_lanes];
@@ -116,16 +134,16 @@ HWY_INLINE void linearise_part(const PairStiffness& stiffness, const Vec4* veloc
     const Lanes3 n = normal_of(group, lane), u = relative(group, lane, velocities);
     const Lanes mass = load_lanes(group.mass + lane), friction = load_lanes(group.friction + lane);
     const Lanes along = dot(n, u);
-    const Lanes depth = hn::Sub(load_lanes(group.radius + lane),
-                                hn::MulAdd(set(stiffness.gamma), along, load_lanes(group.gap + lane)));
+    const Lanes radius = load_lanes(group.radius + lane), onset = hn::Mul(set(onset_per_radius), radius);
+    const Lanes depth =
+        hn::Sub(radius, hn::MulAdd(set(stiffness.gamma), along, load_lanes(group.gap + lane)));
     const auto pushes = hn::Gt(depth, set(0));
-    // Up to the onset the force grows with the square of the depth, beyond it linearly.
-    const Lanes onset = hn::Mul(set(onset_per_radius), load_lanes(group.radius + lane));
-    const Lanes part = hn::IfThenElseZero(pushes, hn::Min(hn::Div(depth, onset), set(1)));
     const Lanes full = hn::IfThenElseZero(pushes, hn::Mul(set(stiffness.spring_per_mass), mass));
-    const Lanes spring = hn::Mul(full, part);
-    const Lanes way = hn::NegMulAdd(hn::Mul(set(0.5f), part), onset, depth);
-    const Lanes pressed = hn::IfThenElseZero(pushes, hn::Mul(hn::Mul(spring, set(1 / stiffness.gamma)), way));
+    const SpringLanes soft = spring_at(depth, onset, full);
+    const SpringLanes hard =
+        spring_at(hn::NegMulAdd(set(hard_from), radius, depth), onset, hn::Mul(set(hard_per_spring), full));
+    const Lanes spring = hn::Add(soft.stiffness, hard.stiffness);
+    const Lanes pressed = hn::Mul(hn::Add(soft.force, hard.force), set(1 / stiffness.gamma));
     const Lanes3 sliding = u - along * n;
     const Lanes speed = hn::Sqrt(dot(sliding, sliding));
     // The impulse by the last pass's linearisation, which balances the load. The springs' own law is convex

@@ -21,8 +21,9 @@ namespace weft {
 
 /// A pair's features push each other apart along the normal that detection gave them, by a stiff spring that
 /// ends at the radius (contact potentials after Terzopoulos, Platt, Barr, Fleischer 1987). Across the normal
-/// a damper holds them up to Coulomb's limit, as far as that is known. The spring stiffens from 0 over its
-/// first depth: otherwise resting features would touch and part by turns. Corner i of pair k gets the impulse
+/// a damper holds them up to Coulomb's limit, as far as that is known. A second, far stiffer spring begins
+/// half way in, for squeezed cloth. Springs stiffen from 0 over their first depth: otherwise resting features
+/// would touch and part by turns. Corner i of pair k gets the impulse
 ///     b_i (c_k - K_k sum_j b_j v_j),   K_k = spring n n^T + damper (I - n n^T) [kg]
 /// so the corners' impulses add up to 0. Corners, and all spans, are numbered through all bodies.
 class PairRows {

@@ -59,9 +59,13 @@ float push_of(const ColliderMotion& motion, const Pace& pace, float thickness, c
     });
 }
 
-bool touches_colliders(std::span<Cloth* const> cloths) {
-    return std::ranges::any_of(
-        cloths, [](const Cloth* cloth) { return cloth->collider_contacts > 0 || cloth->worn.is_holding(); });
+/// Whether anything but free bodies pushes the cloths: then the group's momentum need not be kept.
+bool is_pushed_from_outside(const Worker& worker, std::span<Cloth* const> cloths) {
+    constexpr auto is_of_no_body = [](const ColliderMotion& motion) { return motion.body < 0; };
+    return std::ranges::any_of(cloths, [&](Cloth* cloth) {
+        return cloth->worn.is_holding() || (cloth->collider_contacts > 0 &&
+                                            std::ranges::any_of(colliders_of(worker, *cloth), is_of_no_body));
+    });
 }
 
 /// Stores the tangle memory, unless nothing crosses or has crossed: calm cloth costs nothing.
@@ -197,7 +201,7 @@ void settle_features(Simulation& world, Worker& worker, FeatureContact& space, s
         space.project(worker.parallel);
         keep_in_own_space(world, worker, space, cloths);
     }
-    const bool is_pushed = touches_colliders(cloths);
+    const bool is_pushed = is_pushed_from_outside(worker, cloths);
     counts = space.cut(worker.parallel, is_pushed);
     if (space.uses_zones()) {
         keep_in_own_space(world, worker, space, cloths);

@@ -84,7 +84,7 @@ TEST(Bodies, AThrownBallAndAFreeSheetKeepTheirMomentumTogether) {
                 scene.steps(1);
                 const SheetAndBody::Momentum now = scene.momentum();
                 const double scale = static_cast<double>(mass) * 2;
-                ASSERT_LT((now.linear - before.linear).norm(), 1e-4 * scale)
+                ASSERT_LT((now.linear - before.linear).norm(), 1e-5 * scale)
                     << mass << " kg, step " << k << ", contact " << with_contact;
                 ASSERT_LT((now.angular - before.angular).norm(), 1e-4 * scale)
                     << mass << " kg, step " << k << ", contact " << with_contact;
@@ -121,7 +121,7 @@ TEST(Bodies, ABallThrownIntoTwoFreeSheetsKeepsTheirMomentum) {
             const Eigen::Vector3d before = momentum();
             for (int k = 0; k < 60; ++k) {
                 scene.steps(1);
-                ASSERT_LT((momentum() - before).norm(), 1e-4 * static_cast<double>(mass) * 2)
+                ASSERT_LT((momentum() - before).norm(), 1e-5 * static_cast<double>(mass) * 2)
                     << mass << " kg, step " << k << ", contact " << with_contact;
             }
         }

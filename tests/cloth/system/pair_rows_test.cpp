@@ -20,7 +20,8 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
 
-constexpr double spring_per_mass = 50, onset_per_radius = 0.1, stick_per_spring = 10;
+constexpr double spring_per_mass = 50, onset_per_radius = 0.1, stick_per_spring = 10, hard_from = 0.5,
+                 hard_per_spring = 30;
 
 Vector3d exact(const Vec4& v) {
     return xyz(v).cast<double>();
@@ -67,8 +68,11 @@ struct Reference {
         if (radius == 0 || mobility == 0 || !(depth > 0)) return;
         ++pushing;
         const double full = spring_per_mass / mobility, onset = onset_per_radius * radius;
-        const double part = std::min(depth / onset, 1.0), spring = full * part;
-        const double pressed = spring / h * (depth - part * onset / 2);
+        const double deep = std::max(0.0, depth - hard_from * radius);
+        const double soft = full * std::min(depth / onset, 1.0),
+                     hard = hard_per_spring * full * std::min(deep / onset, 1.0), spring = soft + hard;
+        const double pressed =
+            (soft * (depth - std::min(depth, onset) / 2) + hard * (deep - std::min(deep, onset) / 2)) / h;
         const Vector3d sliding = u - n.dot(u) * n;
         const double damper =
             friction == 0 ? 0 : std::min(stick_per_spring * full, friction * pressed / sliding.norm());
