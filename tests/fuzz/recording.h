@@ -16,8 +16,8 @@ namespace weft::fuzz {
 /// A sink that appends the recording to `bytes`.
 [[nodiscard]] RecordingSink sink_to(std::vector<std::byte>& bytes);
 
-/// Checks a recording: it has the same bytes on two threads; cut off anywhere it is replayed up to there; a flipped bit is
-/// refused, and one whose checksums were made right does no harm. Throws Failure.
+/// Checks a recording: it has the same bytes on two threads; cut off anywhere it is replayed up to there; a
+/// flipped bit is refused, and one whose checksums were made right does no harm. Throws Failure.
 void check_recording(std::uint64_t seed, std::span<const std::byte> recorded);
 
 /// Saves the cloth and reads it back. Cut off or with a flipped bit it is refused; with a flipped bit and a

@@ -1,5 +1,5 @@
-// The calls that the Tracy profiler would receive. The library's profiler is compiled here once more, with WEFT_TRACY,
-// against a stand-in for Tracy's header that writes down the calls.
+// The calls that the Tracy profiler would receive. The library's profiler is compiled here once more, with
+// WEFT_TRACY, against a stand-in for Tracy's header that writes down the calls.
 
 #include <gtest/gtest.h>
 #include <tracy/TracyC.h>
