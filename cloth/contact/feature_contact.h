@@ -21,7 +21,7 @@ namespace weft {
 /// A cloth as a body in contact: the data that is constant from step to step.
 struct ContactCloth {
     const ContactMesh* mesh = nullptr;
-    RestFilter near_at_rest = {};  ///< particles near each other at rest: no contact force acts between them
+    RestFilter near_at_rest = {};  ///< particles near each other at rest, which repel at shorter range
     float radius = 0;    ///< contact radius; features of two bodies nearer than the mean of both repel [m]
     float floor = 0;     ///< least gap; the least of all bodies' bounds every pair's gap [m]
     float friction = 0;  ///< Coulomb coefficient; two bodies have the geometric mean of theirs

@@ -339,11 +339,6 @@ std::uint32_t Contacts::pressing() const noexcept {
     return count;
 }
 
-void Contacts::renew_pairs(Parallel& parallel) {
-    parallel.ranges(static_cast<std::uint32_t>(rows_.impulses.size()),
-                    [&](const BlockRange& range) { add_pairs(range); });
-}
-
 void Contacts::finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities) {
     parallel.ranges(static_cast<std::uint32_t>(velocities.size()), [&](const BlockRange& range) {
         press(range, velocities);
@@ -387,8 +382,8 @@ void Contacts::bounce_block(const StepEquation& equation, const BlockRange& rang
     }
 }
 
-/// Whether a row's damper is more than half of that of particles that stick, as of those that have just
-/// reached Coulomb's limit. Particles that slide have less.
+/// A particle sticks while its row's damper is more than half of the full one; one that has just reached
+/// Coulomb's limit still does. Particles that slide have less.
 bool is_stuck(const Symmetric3& g, const Vector3& n) {
     const float spring = n.dot(g * n), dampers = g.xx + g.yy + g.zz - spring;
     return dampers > stick_per_spring * spring;

@@ -127,8 +127,6 @@ class Contacts {
     void finish(Parallel& parallel, const StepEquation& equation, std::span<const Vec4> velocities);
     /// After finish(): particles that pressed a collider rebound by the restitution.
     void bounce(Parallel& parallel, const StepEquation& equation, std::span<Vec4> velocities);
-    /// Takes over pairs that were linearised again. Rows of colliders stay.
-    void renew_pairs(Parallel& parallel);
 
     /// Finds the particles that press on bodies or are attached to them, as linearised at these velocities.
     void find_pushes(const StepEquation& equation, std::span<const Vec4> velocities);

@@ -59,7 +59,7 @@ float push_of(const ColliderMotion& motion, const Pace& pace, float thickness, c
     });
 }
 
-/// Whether anything but free bodies pushes the cloths: then the group's momentum need not be kept.
+/// A group that anything but free bodies pushes need not keep its momentum. Returns whether one is.
 bool is_pushed_from_outside(const Worker& worker, std::span<Cloth* const> cloths) {
     constexpr auto is_of_no_body = [](const ColliderMotion& motion) { return motion.body < 0; };
     return std::ranges::any_of(cloths, [&](Cloth* cloth) {

@@ -33,7 +33,7 @@ class ProgramTest : public testing::Test {
     }
     ~ProgramTest() override { std::filesystem::remove_all(folder()); }
 
-    /// One for each test: CTest runs them at the same time.
+    /// The folder of the present test. Tests have one each, because CTest runs them at the same time.
     static std::filesystem::path folder() {
         const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
         return std::filesystem::path(testing::TempDir()) /

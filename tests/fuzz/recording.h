@@ -36,7 +36,8 @@ inline void seal(std::vector<std::byte>& bytes, std::size_t at) {
     std::memcpy(bytes.data() + at, &head, sizeof head);
 }
 
-/// Where records begin that a flipped bit makes take no longer: settings may ask for any number of passes.
+/// The places of records that take no longer when one of their bits is flipped. In settings a flipped bit may
+/// ask for any number of passes.
 [[nodiscard]] inline std::vector<std::size_t> harmless_records(const std::vector<std::byte>& bytes) {
     std::vector<std::size_t> found;
     for (std::size_t at = sizeof(RecordingHead); at < bytes.size();) {

@@ -63,13 +63,6 @@ struct Stencil {
     }
     /// Whether all indices in lists that were read are in range, for so many nodes and half-edges.
     [[nodiscard]] bool is_sound(std::uint32_t node_count, std::size_t half_edges) const;
-    /// Frees the lists; the number of nodes stays.
-    void drop_lists() noexcept {
-        group_slots = {};
-        neighbours = {};
-        runs = {};
-        slot_of = {};
-    }
     [[nodiscard]] std::size_t bytes() const noexcept {
         return group_slots.bytes() + neighbours.bytes() + runs.bytes() + slot_of.bytes();
     }

@@ -248,20 +248,6 @@ CoarseLinks make_coarse_links(const std::vector<Link>& links, const Interpolatio
     return in_groups(std::move(lists));
 }
 
-SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes) {
-    Incidence touching = incidence(links, nodes);
-    SpringGraph graph;
-    graph.offsets = std::move(touching.offsets);
-    graph.neighbours = std::move(touching.links);
-    for (std::uint32_t i = 0; i < nodes; ++i) {
-        for (std::uint32_t e = graph.offsets[i]; e < graph.offsets[i + 1]; ++e) {
-            const Link& link = links[graph.neighbours[e]];
-            graph.neighbours[e] = link.first == i ? link.second : link.first;
-        }
-    }
-    return graph;
-}
-
 SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
                               const std::vector<Link>& fine_links, const CoarseLinks& links) {
     const GalerkinLists& lists = links.lists;

@@ -114,9 +114,6 @@ void for_each_term(const Interpolation& p, const Link& link, const Body& body) {
                                             const Interpolation& interpolation,
                                             std::span<const float> constants = {});
 
-/// The graph of these links, without stiffnesses and lengths.
-[[nodiscard]] SpringGraph graph_between(std::span<const Link> links, std::uint32_t nodes);
-
 /// The graph of the coarse level: stiffness summed by the lists, lengths along the springs of the fine graph.
 [[nodiscard]] SpringGraph make_coarse_graph(const SpringGraph& fine, const Coarsening& coarsening,
                                             const std::vector<Link>& fine_links, const CoarseLinks& coarse);

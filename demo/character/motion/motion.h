@@ -92,7 +92,7 @@ class Performance {
     double wait_, blend_in_, speed_, ahead_;
 };
 
-/// One pose for each frame.
+/// A motion as it was recorded: a pose for each frame.
 struct Recording {
     Skeleton skeleton;
     double frame_time = 1.0 / 60;  ///< [s]

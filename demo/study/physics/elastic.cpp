@@ -120,22 +120,23 @@ std::vector<std::uint32_t> free_end(const Experiment& strip) {
     return strip.vertices([](Vec2 p) { return p.x > static_cast<float>(length) * 0.9999f; });
 }
 
-double rigidity(double gamma, double free_length) {
-    return density * Experiment::gravity * std::pow(free_length, 3) / gamma;
+/// A fabric of which a strip of this free length [m] has this ratio Gamma of weight to rigidity.
+Fabric fabric_of(double gamma, double free_length, float warp, float shear) {
+    Fabric fabric;
+    fabric.areal_density = static_cast<float>(density);
+    fabric.warp = fabric.weft = warp;
+    fabric.shear = shear;
+    fabric.bending = static_cast<float>(density * Experiment::gravity * std::pow(free_length, 3) / gamma);
+    return fabric;
 }
 
 std::vector<Finding> cantilever(ForceModel model, std::uint32_t cells, double gamma) {
     const Clamp clamp(cells);
-    Fabric fabric;
-    fabric.areal_density = static_cast<float>(density);
-    fabric.warp = fabric.weft = 2000;
-    fabric.shear = 500;
-    fabric.bending = static_cast<float>(rigidity(gamma, clamp.free_length()));
     Experiment strip(strip_mesh(model, {length, 0.05, cells},
                                 [](Vec2 p) {
                                     return Vec3{p.x, 0, p.y};
                                 }),
-                     made_of(model, fabric));
+                     made_of(model, fabric_of(gamma, clamp.free_length(), 2000, 500)));
     clamp.hold(strip);
     strip.come_to_rest(10);
     const Vec3 end = strip.mean_place(free_end(strip));
@@ -149,12 +150,8 @@ std::vector<Finding> cantilever(ForceModel model, std::uint32_t cells, double ga
 /// Sideways deflection of the upright strip's end after a temporary push [m].
 double gives_way(ForceModel model, std::uint32_t cells, double gamma) {
     const Clamp clamp(cells);
-    Fabric fabric;
-    fabric.areal_density = static_cast<float>(density);
     // The strip is so stiff in its own plane that it does not bend there: K w^3 / 12 against B w.
-    fabric.warp = fabric.weft = 2e4f;
-    fabric.shear = 8e3f;
-    fabric.bending = static_cast<float>(rigidity(gamma, clamp.free_length()));
+    const Fabric fabric = fabric_of(gamma, clamp.free_length(), 2e4f, 8e3f);
     Experiment strip(strip_mesh(model, {length, length / 8, cells},
                                 [](Vec2 p) {
                                     return Vec3{p.x, p.y, 0};

@@ -37,7 +37,7 @@ struct PhysicsTest {
     std::function<std::vector<Finding>()> measure;
 };
 
-/// One function for each family, in a file of its name.
+/// The tests of each family.
 [[nodiscard]] std::vector<PhysicsTest> membrane_tests();
 [[nodiscard]] std::vector<PhysicsTest> bending_tests();
 [[nodiscard]] std::vector<PhysicsTest> drape_tests();

@@ -17,7 +17,7 @@ namespace weft::study {
 /// Two particles that act on each other, the smaller first.
 using ParticlePair = std::array<std::uint32_t, 2>;
 
-/// One row of blocks per particle. The pattern is made once; then only values change.
+/// A matrix that has a row of blocks for each particle. Its pattern is made once; then only values change.
 class BlockMatrix {
   public:
     using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;

@@ -9,7 +9,7 @@
 // with s = dl/dt along the direction n, has no potential. D has its force at one state, and near that state
 // its slope without the part of n's rotation with s, which is not symmetric:
 //     D(v) = c s0 l(v) + 1/2 gamma c (n0 . (v_j - v_i) - s0)^2
-// So E has the equation's residual as its gradient where s0 and n0 are those of v itself.
+// E has the equation's residual as its gradient where s0 and n0 are those of v itself.
 
 #include <Eigen/Dense>
 #include <memory>
