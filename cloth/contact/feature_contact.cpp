@@ -182,7 +182,8 @@ void FeatureContact::make_laws(Parallel& parallel) {
 }
 
 // Where layers are pressed together, a vertex is near the borders of the face below it, too. These pairs
-// would push it sideways, and stop cloth that lands and slides; so they get no force.
+// would push it sideways, and stop cloth that lands and slides; so they get no force. They are projected like
+// all others, since squeezed layers would get stuck on one another otherwise.
 void FeatureContact::leave_borders_to_faces() {
     constexpr std::uint32_t none = ~0u;
     constexpr float leans = 0.95f;  // cosine of the angle between the two normals
