@@ -9,14 +9,14 @@ namespace {
 
 // A row's spring over its mass, in units of gamma^-2: soft, as the depth need not be reached in one step.
 constexpr float spring_per_mass = 10;
-constexpr std::uint32_t corners = 5;
+constexpr std::uint32_t corner_count = 5;
 
 }  // namespace
 
 void UntanglingRows::lay_out(Scratch& scratch, std::size_t rows) {
     scratch.take(springs_, rows);
-    scratch.take(taken_, corners * rows);
-    scratch.take(entries_, corners * rows);
+    scratch.take(taken_, corner_count * rows);
+    scratch.take(entries_, corner_count * rows);
 }
 
 void UntanglingRows::begin(std::span<const UntanglingRow> rows, std::span<const Vec4> base_positions,
@@ -28,13 +28,13 @@ void UntanglingRows::begin(std::span<const UntanglingRow> rows, std::span<const 
         const Vec4& origin = base_positions[rows[k].corners[0]];
         Vector3 gap = Vector3::Zero();
         float mobility = 0;
-        for (std::uint32_t c = 0; c < corners; ++c) {
+        for (std::uint32_t c = 0; c < corner_count; ++c) {
             const Vec4& corner = base_positions[rows[k].corners[c]];
             const float b = rows[k].weights[c];
             gap += b * (xyz(corner) - xyz(origin));
             mobility += b * b * corner.w;
-            if (corner.w > 0) entries_[entry_count_++] = {rows[k].corners[c], corners * k + c};
-            taken_[corners * k + c] = {};
+            if (corner.w > 0) entries_[entry_count_++] = {rows[k].corners[c], corner_count * k + c};
+            taken_[corner_count * k + c] = {};
         }
         springs_[k] = {.mass = mobility > 0 ? 1 / mobility : 0,
                        .gap = xyz(rows[k].direction).dot(gap),
@@ -55,14 +55,15 @@ std::uint32_t UntanglingRows::first_entry(std::uint32_t particle) const {
 
 void UntanglingRows::take(std::uint32_t first, std::span<const Vec4> vector) {
     for (std::uint32_t k = 0; k < rows_.size(); ++k)
-        for (std::uint32_t c = 0; c < corners; ++c)
+        for (std::uint32_t c = 0; c < corner_count; ++c)
             if (const std::uint32_t i = rows_[k].corners[c] - first; i < vector.size())
-                taken_[corners * k + c] = vector[i];
+                taken_[corner_count * k + c] = vector[i];
 }
 
 float UntanglingRows::along(std::uint32_t row) const {
     Vector3 sum = Vector3::Zero();
-    for (std::uint32_t c = 0; c < corners; ++c) sum += rows_[row].weights[c] * xyz(taken_[corners * row + c]);
+    for (std::uint32_t c = 0; c < corner_count; ++c)
+        sum += rows_[row].weights[c] * xyz(taken_[corner_count * row + c]);
     return xyz(rows_[row].direction).dot(sum);
 }
 
@@ -97,11 +98,11 @@ void UntanglingRows::add_products(std::uint32_t first, std::span<Vec4> product) 
 }
 
 void UntanglingRows::add(const Entry& entry, Sum& sum) const {
-    const std::uint32_t row = entry.place / corners;
+    const std::uint32_t row = entry.place / corner_count;
     const Spring& spring = springs_[row];
     if (spring.spring == 0) return;
     const Vector3 n = xyz(rows_[row].direction);
-    const float weight = rows_[row].weights[entry.place % corners];
+    const float weight = rows_[row].weights[entry.place % corner_count];
     sum.diagonal.add(0, std::sqrt(std::abs(weight) * spring.spring) * n);
     sum.impulse += weight * spring.impulse * n;
     sum.product += weight * spring.transfer * n;

@@ -14,10 +14,9 @@ namespace {
 
 /// A group gets a place for each spring of its longest ring, and one for openings.
 SharedBuffer<std::uint32_t> places_of(const RingOrder& order, std::uint32_t particles) {
-    constexpr std::uint32_t lanes = Stencil::lanes;
-    SharedBuffer<std::uint32_t> places(Stencil::whole_groups(particles) / lanes + 1);
+    SharedBuffer<std::uint32_t> places(Stencil::whole_groups(particles) / Stencil::lanes + 1);
     for (std::uint32_t i = 0; i < particles; ++i) {
-        std::uint32_t& end = places[i / lanes + 1];
+        std::uint32_t& end = places[i / Stencil::lanes + 1];
         end = std::max(end, order.end(i) - order.offsets[i] + 1);
     }
     std::partial_sum(places.begin(), places.end(), places.begin());

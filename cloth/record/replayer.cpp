@@ -15,13 +15,13 @@ Error no_such_call() {
     return {ErrorCode::malformed_file, "holds other than what such a call is given"};
 }
 
-Result<void> refused(const Error& error) {
+Result<void> refused_call(const Error& error) {
     if (error.code == ErrorCode::out_of_memory) return error;
     return Error{ErrorCode::malformed_file, "is refused: " + error.message};
 }
 template <class T>
 Result<void> without_value(const Result<T>& answer) {
-    return answer ? Result<void>() : refused(answer.error());
+    return answer ? Result<void>() : refused_call(answer.error());
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Result<void> Replayer::create(RecordReader& reader) {
     const auto settings = reader.get<WorldSettings>();
     if (!reader.is_done()) return no_such_call();
     auto made = World::create(with_threads(settings));
-    if (!made) return refused(made.error());
+    if (!made) return refused_call(made.error());
     world_.emplace(std::move(made).value());
     world_->impl_->simulation.has_given_choices = true;
     return {};

@@ -22,7 +22,7 @@ namespace {
 // Wider limits than those for hosts: frames and bodies may transport objects beyond where hosts may put them.
 constexpr float farthest_part = 10 * runaway_distance;  // [m]
 constexpr float fastest_part = 1e6f;                    // [m/s]
-constexpr float most = std::numeric_limits<float>::max();
+constexpr float greatest = std::numeric_limits<float>::max();
 
 Error unsound(std::string what) {
     return {ErrorCode::malformed_file,
@@ -142,11 +142,11 @@ Result<void> check_record(const std::string& name, const ClothHead& head, const 
 
 Result<void> check_held(const std::string& name, const ClothState& here, std::size_t bodies,
                         const SavedNumbers& numbers) {
-    const bool normals = numbers.rows_within(here.held.normals.size(), most);
-    const bool rubbed = numbers.within(here.held.rubbed.size(), most);
-    const bool loads = numbers.rows_within(here.held.loads.size(), most);
+    const bool normals = numbers.rows_within(here.held.normals.size(), greatest);
+    const bool rubbed = numbers.within(here.held.rubbed.size(), greatest);
+    const bool loads = numbers.rows_within(here.held.loads.size(), greatest);
     numbers.skip(here.held.touching.span().size_bytes());
-    const bool shares = numbers.within(bodies * (sizeof(BodyShare) / sizeof(float)), most);
+    const bool shares = numbers.within(bodies * (sizeof(BodyShare) / sizeof(float)), greatest);
     return sound_or(normals && rubbed && loads && shares, name,
                     "what colliders and bodies gave it is no number");
 }

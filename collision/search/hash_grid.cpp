@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
+
+#include "engine/error_text.h"
 
 namespace weft {
 
@@ -13,10 +14,6 @@ constexpr std::uint32_t min_buckets = 4;  // a run of three buckets must not ove
 
 std::uint32_t default_bucket_count(std::uint32_t particle_count) {
     return std::max(min_buckets, std::bit_ceil(2 * particle_count));
-}
-
-bool is_finite(const Vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 }  // namespace
