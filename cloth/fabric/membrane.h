@@ -111,24 +111,23 @@ void for_each_stiffening_of_cell(const ClothModel& model, const Fabric& fabric, 
     add(near + 1, far + 1, along_b);
 }
 
-/// Calls add(i, j, stiffness [N/m], rest length [m]) for the sides and diagonals of the cell whose near left
-/// corner is `near`, with its share of their springs.
+/// Calls add(i, j, stiffness [N/m]) for the sides and diagonals of the cell whose near left corner is `near`,
+/// with its share of their springs.
 template <class Add>
 void for_each_part_of_cell(const ClothModel& model, const SheetModuli& moduli, std::uint32_t near,
                            const Add& add) {
     const std::uint32_t far = near + model.columns;
-    const auto rest = [&](std::uint32_t i, std::uint32_t j) { return rest_length_between(model, i, j); };
     const auto [a, b] = sides_of_cell(model, near);
     const double factor = stiffness_of_cell(model, near);
     const double along_a = factor * ((moduli.warp * b / a - moduli.shear * a / b) / 2);
     const double along_b = factor * ((moduli.weft * a / b - moduli.shear * b / a) / 2);
     const double diagonal = factor * (moduli.shear * (a * a + b * b) / (2 * a * b));
-    add(near, near + 1, along_a, rest(near, near + 1));
-    add(far, far + 1, along_a, rest(far, far + 1));
-    add(near, far, along_b, rest(near, far));
-    add(near + 1, far + 1, along_b, rest(near + 1, far + 1));
-    add(near, far + 1, diagonal, rest(near, far + 1));
-    add(near + 1, far, diagonal, rest(near + 1, far));
+    add(near, near + 1, along_a);
+    add(far, far + 1, along_a);
+    add(near, far, along_b);
+    add(near + 1, far + 1, along_b);
+    add(near, far + 1, diagonal);
+    add(near + 1, far, diagonal);
 }
 
 /// Calls body(half-edge from i, half-edge from j, stiffness [N/m]) for each share of each spring (i, j): one
@@ -136,14 +135,13 @@ void for_each_part_of_cell(const ClothModel& model, const SheetModuli& moduli, s
 /// shares, but no less than 0.
 template <class Body>
 void for_each_spring_part(const ClothModel& model, const Fabric& fabric, const Body& body) {
-    const auto add = [&](std::uint32_t i, std::uint32_t j, double stiffness, double /*rest_length*/) {
+    const auto add = [&](std::uint32_t i, std::uint32_t j, double stiffness) {
         body(half_edge_between(model, i, j), half_edge_between(model, j, i), stiffness);
     };
     for (std::uint32_t t = 0; model.rows == 0 && t < model.triangles.size(); ++t) {
         const TriangleMembrane membrane = triangle_membrane(model, t, fabric);
         for (std::size_t k = 0; k < 3; ++k)
-            add(model.triangles[t][k], model.triangles[t][(k + 1) % 3], membrane.own[k],
-                membrane.rest_lengths[k]);
+            add(model.triangles[t][k], model.triangles[t][(k + 1) % 3], membrane.own[k]);
     }
     const SheetModuli moduli = sheet_moduli(fabric);
     for (std::uint32_t row = 0; row + 1 < model.rows; ++row)

@@ -114,10 +114,9 @@ SpringsOfParticle springs_at(const ClothModel& model, const Fabric& fabric, std:
                 const std::uint32_t e = half_edge_between(model, i, a == i ? b : a);
                 to[e - model.spring_offsets[i]] += static_cast<float>(part);
             };
-            for_each_part_of_cell(model, moduli, r * model.columns + c,
-                                  [&](std::uint32_t a, std::uint32_t b, double stiffness, double /*length*/) {
-                                      add(result.stiffness, a, b, stiffness);
-                                  });
+            for_each_part_of_cell(
+                model, moduli, r * model.columns + c,
+                [&](std::uint32_t a, std::uint32_t b, double k) { add(result.stiffness, a, b, k); });
             if (fabric.stiffening > 0)
                 for_each_stiffening_of_cell(
                     model, fabric, r * model.columns + c,
@@ -139,7 +138,9 @@ void add_springs(const ClothModel& model, const StepEquation& equation, std::spa
     const Fabric& fabric = equation.settings.fabric;
     const float per_stiffness = equation.gamma * (equation.gamma + fabric.damping);
     const auto velocity = [&](std::uint32_t j) -> Vector3 { return xyz(velocities[j]); };
-    const auto free_velocity = [&](std::uint32_t j) { return external_row(equation, j).free_velocity; };
+    const auto free_velocity = [&](std::uint32_t j) {
+        return j == i ? external.free_velocity : external_row(equation, j).free_velocity;
+    };
     const Pulls pulls_now(model, equation, velocity);
     const Pulls pulls_free(model, equation, free_velocity);
     Vector3 now = external.row_sum * (external.free_velocity - velocity(i)), free = Vector3::Zero();

@@ -122,10 +122,11 @@ double sheet_energy(const Cloth& cloth, const Eigen::VectorXd& x) {
         for (std::uint32_t column = 0; column + 1 < model.columns; ++column) {
             const std::uint32_t near = row * model.columns + column;
             const auto [a, b] = sides_of_cell(model, near);
-            for_each_part_of_cell(model, sheet_moduli(fabric), near,
-                                  [&](std::uint32_t i, std::uint32_t j, double k, double rest) {
-                                      energy += 0.5 * k * std::pow(length(i, j) - rest, 2);
-                                  });
+            for_each_part_of_cell(
+                model, sheet_moduli(fabric), near, [&](std::uint32_t i, std::uint32_t j, double k) {
+                    const double extension = length(i, j) - rest_length_between(model, i, j);
+                    energy += 0.5 * k * extension * extension;
+                });
             for (const auto& [i, j, stiffness] :
                  {std::tuple(near, near + 1, fabric.warp),
                   std::tuple(near + model.columns, near + model.columns + 1, fabric.warp),
