@@ -81,6 +81,76 @@ inline Mask may_be_deeper(const HeldShape& shape, const Lanes3& q, Mask lost, fl
     return hn::Gt(load_lanes(answers.w), set(0));
 }
 
+/// Seen from points beside a triangle's face, farther off than rounding: the lanes, and what seen_from()
+/// finds.
+struct SeenLanes {
+    hn::Mask<Tag> known;
+    Lanes3 normal;
+    Lanes distance;
+};
+HWY_INLINE SeenLanes seen_beside_faces(const TriangleTree& tree, const Lanes3& q, const NearestTriangle& best,
+                                       const Lanes3& face, Lanes least_weight) {
+    const auto squared = [](const Lanes3& v) HWY_ATTR {  // as Eigen sums them
+        return hn::Add(hn::Mul(v.x, v.x), hn::Add(hn::Mul(v.y, v.y), hn::Mul(v.z, v.z)));
+    };
+    const Lanes length = hn::Sqrt(squared(best.gap));
+    const Lanes farthest = hn::Max(hn::Abs(q.x), hn::Max(hn::Abs(q.y), hn::Abs(q.z)));
+    const auto is_off = hn::Gt(length, hn::Mul(set(4e-6f), hn::Add(set(1e-3f), farthest)));
+    const auto is_beside =
+        hn::And(hn::Ge(least_weight, set(TriangleTree::on_border)), hn::Gt(squared(face), set(0)));
+    const auto is_inside =
+        hn::Lt(dot(best.gap, face), set(tree.is_closed() ? 0.0f : -std::numeric_limits<float>::infinity()));
+    const Lanes sign = hn::IfThenElse(is_inside, set(-1), set(1));
+    return {hn::And(hn::Ge(best.number, set(0)), hn::And(is_off, is_beside)),
+            hn::Div(sign, length) * best.gap, hn::IfThenElse(is_inside, hn::Neg(length), length)};
+}
+
+/// Normals, signed distances and velocities of the nearest triangles; where there is none, `sight` away.
+inline OwnSurface surface_at(const TriangleTree& tree, const Lanes3& q, const NearestTriangle& best,
+                             float sight, float rate) {
+    const Tag d;
+    const hn::RebindToSigned<Tag> di;
+    const auto found = hn::Ge(best.number, set(0));
+    const auto number = hn::ConvertTo(di, hn::IfThenElseZero(found, best.number));
+    const Lanes third[3] = {hn::Sub(hn::Sub(set(1), best.s), best.t), best.s, best.t};
+    const auto gather = [&](const Vec3* from, auto rows) HWY_ATTR {
+        const auto first = hn::Mul(rows, hn::Set(di, 3));
+        return Lanes3{hn::GatherIndex(d, &from->x, first), hn::GatherIndex(d, &from->y, first),
+                      hn::GatherIndex(d, &from->z, first)};
+    };
+    const SeenLanes seen = seen_beside_faces(tree, q, best, gather(tree.face_normals().data(), number),
+                                             hn::Min(third[0], hn::Min(third[1], third[2])));
+    const auto is_within = hn::And(seen.known, hn::Lt(seen.distance, set(sight)));
+    OwnSurface surface{hn::IfThenElse(is_within, seen.distance, set(sight)),
+                       either(is_within, seen.normal, {set(0), set(1), set(0)}), zero3()};
+    const auto others = hn::AndNot(seen.known, found);
+    if (!hn::AllFalse(d, others)) {  // at edges and corners
+        const LaneByLane points(q, best.number), gaps(best.gap, best.s), thirds(zero3(), best.t);
+        LaneByLane surfaces(surface.normal, surface.distance);
+        for (std::uint32_t bits = bits_of(others); bits != 0; bits &= bits - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+            const auto triangle = static_cast<std::uint32_t>(points.w[lane]);
+            const std::array<float, 3> weights{1 - gaps.w[lane] - thirds.w[lane], gaps.w[lane],
+                                               thirds.w[lane]};
+            const Seen at = seen_from(gaps.vector(lane), tree.pseudo_normal(triangle, weights),
+                                      tree.is_closed(), points.vector(lane));
+            if (at.distance < sight) surfaces.set_lane(lane, at.normal, at.distance);
+        }
+        const Lanes4 all = surfaces.lanes();
+        surface.normal = xyz(all);
+        surface.distance = all.w;
+    }
+    if (rate == 0) return surface;
+    for (std::size_t k = 0; k < 3; ++k) {
+        static_assert(sizeof(Corners) == 3 * sizeof(std::int32_t));
+        const auto* const corners = reinterpret_cast<const std::int32_t*>(&tree.triangle(0));
+        const auto corner = hn::GatherIndex(di, corners + k, hn::Mul(number, hn::Set(di, 3)));
+        surface.growth = surface.growth + third[k] * gather(tree.displacements().data(), corner);
+    }
+    surface.growth = keep_where(found, set(rate) * surface.growth);
+    return surface;
+}
+
 /// A surface that is not found within sight counts as that far away.
 template <class Mask>
 inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, const NearLeaves* leaves,
@@ -88,6 +158,7 @@ inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, c
     const Tag d;
     const float sight = sight_of.far;
     NearestTriangle best{within(asked, sight)};
+    if (hn::AllFalse(d, asked)) return {set(sight), {set(0), set(1), set(0)}, zero3()};
     if (leaves == nullptr || !leaves->search(tree, q, asked, sight, best)) search(tree, q, best);
     if (tree.is_closed() && sight_of.deep) {  // points deeper inside than the sight
         const Lanes in_box = squared_distance(q, tree.nodes()[0]);
@@ -103,24 +174,7 @@ inline OwnSurface nearest_in(const HeldShape& shape, const TriangleTree& tree, c
             best.t = hn::IfThenElse(lost, all.t, best.t);
         }
     }
-    const LaneByLane points(q, best.number), gaps(best.gap, best.s), thirds(zero3(), best.t);
-    LaneByLane surfaces, growths;
-    for (std::uint32_t lane = 0; lane < part_lanes; ++lane) {
-        surfaces.set_lane(lane, Vector3::UnitY(), sight);
-        if (!(points.w[lane] >= 0)) continue;
-        const auto triangle = static_cast<std::uint32_t>(points.w[lane]);
-        const std::array<float, 3> weights{1 - gaps.w[lane] - thirds.w[lane], gaps.w[lane], thirds.w[lane]};
-        const Seen seen = seen_from(gaps.vector(lane), tree.pseudo_normal(triangle, weights),
-                                    tree.is_closed(), points.vector(lane));
-        if (seen.distance < sight) surfaces.set_lane(lane, seen.normal, seen.distance);
-        if (rate == 0) continue;
-        Vector3 way = Vector3::Zero();
-        for (std::size_t k = 0; k < 3; ++k)
-            way += weights[k] * to_vector(tree.displacements()[tree.triangle(triangle)[k]]);
-        growths.set_lane(lane, rate * way, 0);
-    }
-    const Lanes4 surface = surfaces.lanes();
-    return {surface.w, xyz(surface), xyz(growths.lanes())};
+    return surface_at(tree, q, best, sight, rate);
 }
 
 /// Cells of a field from `first` to `last`, both included.
@@ -146,7 +200,7 @@ inline void search(const HeldHeights& field, const CellRange& range, const Lanes
                 const std::size_t number =
                     2 * (std::size_t{row} * (field.columns - 1) + column) + static_cast<std::size_t>(half);
                 const std::array<Vector3, 3> x = field.triangle(row, column, half);
-                best.look_at(q, static_cast<float>(number), x[0], x[1], x[2]);
+                best.look_at(q, set(static_cast<float>(number)), set3(x[0]), set3(x[1]), set3(x[2]));
             }
 }
 

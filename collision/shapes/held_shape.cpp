@@ -220,8 +220,8 @@ void HeldShape::find_coarse() {
 
 // The distance at q is at least that at a corner less the way from the corner to q.
 bool HeldShape::may_be_deeper(const Vector3& q, float than) const {
-    if (outside_.known()) return !outside_.are_outside(q);
-    if (coarse_.distances.empty()) return true;  // they are still being computed
+    if (outside_.known()) return !outside_.come_near(q, than);  // all that near to it is inside as well
+    if (coarse_.distances.empty()) return true;                 // they are still being computed
     std::array<std::size_t, 3> first{};
     for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// A grid over the mesh's bounding box. A cell is outside if no leaf of the tree touches it and cells like it
+/// A grid over the mesh's bounding box. A cell is outside if no triangle's box touches it and cells like it
 /// connect it to the grid's border.
 class OutsideCells {
   public:
@@ -17,27 +17,27 @@ class OutsideCells {
     void reserve();
     /// Finds the outside cells. Precondition: reserve().
     void find(const TriangleTree& tree);
-    void clear() { cells_.clear(); }
-    [[nodiscard]] bool known() const { return !cells_.empty(); }
-    [[nodiscard]] bool are_outside(const Vector3& q) const;
+    void clear() { outside_.clear(); }
+    [[nodiscard]] bool known() const { return !outside_.empty(); }
+    /// Whether an outside cell is known to come nearer to the point than `distance` [m].
+    [[nodiscard]] bool come_near(const Vector3& q, float distance) const;
     [[nodiscard]] std::size_t bytes() const {
-        return cells_.capacity() * sizeof(Cell) + open_.capacity() * sizeof(std::uint32_t);
+        return (touched_.capacity() + outside_.capacity()) * sizeof(Row);
     }
 
   private:
-    enum class Cell : std::uint8_t { unknown, touched, outside };
-    static constexpr std::uint32_t most = 40;  // cells along the longest side, with a border of one
+    static constexpr std::uint32_t words = 2, most = 64 * words;  // cells along the longest side
+    using Row = std::array<std::uint64_t, words>;                 // cells along x: a bit to each
 
     [[nodiscard]] std::uint32_t cell_at(int axis, float place) const;
-    void touch(const TriangleTree::Node& leaf);
-    void visit(std::uint32_t cell);
-    void flood();
+    [[nodiscard]] bool is_outside(const Vector3& q) const;
+    void touch(const TriangleLeaf& leaf);
+    bool spread(std::uint32_t y, std::uint32_t z);
 
     Vector3 origin_ = Vector3::Zero();
     float per_cell_ = 0;  // [1/m]
     std::array<std::uint32_t, 3> counts_{};
-    std::vector<Cell> cells_;
-    std::vector<std::uint32_t> open_;
+    std::vector<Row> touched_, outside_;  // y is fastest
 };
 
 }  // namespace weft

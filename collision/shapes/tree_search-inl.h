@@ -9,6 +9,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -27,17 +28,22 @@ struct NearestTriangle {
     Lanes3 gap = zero3();     // from the triangle to the point [m]
     Lanes s = set(0), t = s;  // weights of its second and third corner
 
-    HWY_INLINE void look_at(const Lanes3& q, float triangle, const Vector3& a, const Vector3& b,
-                            const Vector3& c) {
-        const ClosestLanes closest = closest_of_vertex_and_triangle(set3(a) - q, set3(b) - q, set3(c) - q);
-        const Lanes distance = dot(closest.gap, closest.gap), other = set(triangle);
-        const auto is_first = hn::And(hn::Eq(distance, squared), hn::Lt(other, number));
+    HWY_INLINE void look_at(const Lanes3& q, Lanes triangle, const Lanes3& a, const Lanes3& b,
+                            const Lanes3& c) {
+        const ClosestLanes closest = closest_of_vertex_and_triangle(a - q, b - q, c - q);
+        const Lanes distance = dot(closest.gap, closest.gap);
+        const auto is_first = hn::And(hn::Eq(distance, squared), hn::Lt(triangle, number));
         const auto nearer = hn::Or(hn::Lt(distance, squared), is_first);
         squared = hn::IfThenElse(nearer, distance, squared);
-        number = hn::IfThenElse(nearer, other, number);
+        number = hn::IfThenElse(nearer, triangle, number);
         gap = either(nearer, closest.gap, gap);
         s = hn::IfThenElse(nearer, hn::Neg(closest.weights.z), s);
         t = hn::IfThenElse(nearer, hn::Neg(closest.weights.w), t);
+    }
+    /// The lanes in which a triangle may be as near, by a lower bound of its squared distance; more than
+    /// rounding is left for the triangle's own closest point.
+    [[nodiscard]] HWY_INLINE auto may_be(Lanes bound) const {
+        return hn::Le(bound, hn::Mul(squared, set(1.0001f)));
     }
 };
 
@@ -50,36 +56,35 @@ HWY_INLINE Lanes squared_distance(const Lanes3& q, const TriangleTree::Node& nod
     return dot(out, out);
 }
 
-inline void look_at_leaf(const TriangleTree& tree, const TriangleTree::Node& node, const Lanes3& q,
-                         NearestTriangle& best) {
-    const std::span<const Vec3> x = tree.vertices();
-    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
-        const Corners& c = tree.triangle(t);
-        best.look_at(q, static_cast<float>(t), to_vector(x[c[0]]), to_vector(x[c[1]]), to_vector(x[c[2]]));
-    }
+/// A triangle of a leaf, for all lanes.
+HWY_INLINE Lanes3 set_row(const TriangleLeaf::Row3& rows, std::uint32_t k) {
+    return {set(rows[0][k]), set(rows[1][k]), set(rows[2][k])};
+}
+HWY_INLINE void look_at(const TriangleLeaf& leaf, std::uint32_t k, float number, const Lanes3& q,
+                        NearestTriangle& best) {
+    best.look_at(q, set(number), set_row(leaf.corners[0], k), set_row(leaf.corners[1], k),
+                 set_row(leaf.corners[2], k));
 }
 
-/// Depth-first search; the child that is nearer to some lane comes first.
-inline void search(const TriangleTree& tree, const Lanes3& q, NearestTriangle& best) {
-    const Tag d;
-    const std::span<const TriangleTree::Node> nodes = tree.nodes();
-    std::array<std::uint32_t, 64> open{0};
-    std::uint32_t count = 1;
-    while (count > 0) {
-        const TriangleTree::Node& node = nodes[open[--count]];
-        if (hn::AllFalse(d, hn::Le(squared_distance(q, node), best.squared))) continue;
-        look_at_leaf(tree, node, q, best);
-        if (node.count > 0) continue;
-        const auto least = [&](const TriangleTree::Node& child) HWY_ATTR {
-            const Lanes squared = squared_distance(q, child);
-            const auto may_hold = hn::Le(squared, best.squared);
-            const Lanes infinity = set(std::numeric_limits<float>::infinity());
-            return hn::GetLane(hn::MinOfLanes(d, hn::IfThenElse(may_hold, squared, infinity)));
-        };
-        const bool second_is_nearer = least(nodes[node.first + 1]) < least(nodes[node.first]);
-        open[count++] = node.first + (second_is_nearer ? 0 : 1);
-        open[count++] = node.first + (second_is_nearer ? 1 : 0);
-    }
+/// Lower bound of the squared distance from a triangle: by the plane that it lies in, and by the planes
+/// through its edges. It is the distance but for rounding, and where a corner is nearest.
+HWY_INLINE Lanes least_squared(const TriangleLeaf& leaf, std::uint32_t k, const Lanes3& q) {
+    const Lanes3 from_a = q - set_row(leaf.corners[0], k);
+    const Lanes along = hn::Abs(dot(set_row(leaf.normal, k), from_a));
+    const Lanes of_bc = hn::Sub(dot(set_row(leaf.out[1], k), from_a), set(leaf.beyond[k]));
+    const Lanes beyond =
+        hn::Max(dot(set_row(leaf.out[0], k), from_a), hn::Max(of_bc, dot(set_row(leaf.out[2], k), from_a)));
+    const Lanes slack = set(leaf.slack[k]);
+    const Lanes least = hn::Max(hn::Sub(along, slack), set(0)),
+                side = hn::Max(hn::Sub(beyond, slack), set(0));
+    return hn::MulAdd(side, side, hn::Mul(least, least));
+}
+
+HWY_INLINE Lanes3 min3(const Lanes3& a, const Lanes3& b) {
+    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
+}
+HWY_INLINE Lanes3 max3(const Lanes3& a, const Lanes3& b) {
+    return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
 }
 
 /// Bounding box of lanes; of negative infinite size while empty.
@@ -93,8 +98,8 @@ struct LaneBox {
     }
     template <class Mask>
     HWY_INLINE void add(const Lanes3& q, Mask which) {
-        lower = either(which, {hn::Min(lower.x, q.x), hn::Min(lower.y, q.y), hn::Min(lower.z, q.z)}, lower);
-        upper = either(which, {hn::Max(upper.x, q.x), hn::Max(upper.y, q.y), hn::Max(upper.z, q.z)}, upper);
+        lower = either(which, min3(lower, q), lower);
+        upper = either(which, max3(upper, q), upper);
     }
     [[nodiscard]] Eigen::AlignedBox3f box() const {
         const Tag d;
@@ -105,6 +110,150 @@ struct LaneBox {
     }
 };
 
+/// A bit for each lane, from the lowest on.
+HWY_INLINE std::uint32_t bits_of(hn::Mask<Tag> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Tag(), mask, bytes);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits & ((std::uint32_t{1} << part_lanes) - 1);
+}
+
+/// Triangles whose boxes come near a register of points. Lower bounds of all distances come first; exact
+/// distances are found of the triangle with the least bound, lane by lane, and of those whose bounds are not
+/// above its distance.
+class NearTriangles {
+  public:
+    NearTriangles() : least_(set(std::numeric_limits<float>::infinity())), likely_(set(0)) {}
+    void look_at(const TriangleTree& tree, std::uint32_t leaf, std::uint32_t k, const Lanes3& q,
+                 NearestTriangle& best) {
+        if (count_ == most) look_at_all(tree, q, best);
+        const Lanes bound = least_squared(tree.leaves()[leaf], k, q);
+        const auto less = hn::Lt(bound, least_);
+        least_ = hn::IfThenElse(less, bound, least_);
+        likely_ = hn::IfThenElse(less, set(static_cast<float>(count_)), likely_);
+        hn::Store(bound, Tag(), bounds_[count_]);
+        numbers_[count_++] = static_cast<std::int32_t>(TriangleLeaf::size * leaf + k);
+    }
+    void look_at_all(const TriangleTree& tree, const Lanes3& q, NearestTriangle& best) {
+        if (count_ == 0) return;
+        const Tag d;
+        const hn::RebindToSigned<Tag> di;
+        const auto is_near = best.may_be(least_);
+        if (!hn::AllFalse(d, is_near)) {
+            const auto number = hn::GatherIndex(di, numbers_, hn::ConvertTo(di, likely_));
+            look_at_own(tree, hn::IfThenElseZero(hn::RebindMask(di, is_near), number), q, best);
+        }
+        for (std::uint32_t n = 0; n < count_; ++n) {
+            const auto other = hn::Ne(likely_, set(static_cast<float>(n)));
+            if (hn::AllFalse(d, hn::And(other, best.may_be(load_lanes(bounds_[n]))))) continue;
+            const auto number = static_cast<std::uint32_t>(numbers_[n]);
+            weft::HWY_NAMESPACE::look_at(tree.leaves()[number / TriangleLeaf::size],
+                                         number % TriangleLeaf::size, static_cast<float>(number), q, best);
+        }
+        count_ = 0;
+        least_ = set(std::numeric_limits<float>::infinity());
+    }
+
+  private:
+    static constexpr std::uint32_t most = 64;  // bounds that are kept at a time
+
+    /// Looks at a triangle of its own in each lane.
+    template <class Numbers>
+    static HWY_INLINE void look_at_own(const TriangleTree& tree, Numbers number, const Lanes3& q,
+                                       NearestTriangle& best) {
+        const Tag d;
+        const hn::RebindToSigned<Tag> di;
+        constexpr int per_leaf = sizeof(TriangleLeaf) / sizeof(float);
+        static_assert(TriangleLeaf::size == 16);
+        const auto lane = hn::And(number, hn::Set(di, 15));
+        const auto place = hn::Add(hn::Mul(hn::ShiftRight<4>(number), hn::Set(di, per_leaf)), lane);
+        Lanes3 corners[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const TriangleLeaf::Row3& rows = tree.leaves()[0].corners[k];
+            corners[k] = {hn::GatherIndex(d, rows[0].data(), place),
+                          hn::GatherIndex(d, rows[1].data(), place),
+                          hn::GatherIndex(d, rows[2].data(), place)};
+        }
+        best.look_at(q, hn::ConvertTo(d, number), corners[0], corners[1], corners[2]);
+    }
+
+    Lanes least_, likely_;  // least bound, and its place in the list
+    std::uint32_t count_ = 0;
+    std::int32_t numbers_[most];
+    alignas(64) float bounds_[most][part_lanes];
+};
+
+/// The space around a register of points.
+struct Around {
+    Eigen::AlignedBox3f box;
+    Lanes3 lower, upper;
+
+    Around(const Eigen::AlignedBox3f& points, float distance) {
+        const float farthest = points.min().cwiseAbs().cwiseMax(points.max().cwiseAbs()).maxCoeff();
+        const float beyond = 1.0001f * distance + 2e-6f * farthest;  // more than rounding, as of nodes
+        box = {points.min() - Vector3::Constant(beyond), points.max() + Vector3::Constant(beyond)};
+        lower = set3(Vector3(box.min()));
+        upper = set3(Vector3(box.max()));
+    }
+    /// A bit for each of the boxes that overlap it.
+    [[nodiscard]] HWY_INLINE std::uint32_t overlapping(const Lanes3& least, const Lanes3& greatest) const {
+        const auto along = [](Lanes from, Lanes to, Lanes low, Lanes high)
+                               HWY_ATTR { return hn::And(hn::Le(from, high), hn::Ge(to, low)); };
+        return bits_of(hn::And(along(least.x, greatest.x, lower.x, upper.x),
+                               hn::And(along(least.y, greatest.y, lower.y, upper.y),
+                                       along(least.z, greatest.z, lower.z, upper.z))));
+    }
+};
+
+/// Lists the triangles of a leaf whose boxes come near.
+inline void look_at_leaf(const TriangleTree& tree, std::uint32_t number, const Around& around,
+                         const Lanes3& q, NearTriangles& near, NearestTriangle& best) {
+    const TriangleLeaf& leaf = tree.leaves()[number];
+    for (std::uint32_t first = 0; first < TriangleLeaf::size; first += part_lanes) {
+        const auto corners = [&](std::size_t k) HWY_ATTR {
+            const TriangleLeaf::Row3& rows = leaf.corners[k];
+            return Lanes3{load_lanes(&rows[0][first]), load_lanes(&rows[1][first]),
+                          load_lanes(&rows[2][first])};
+        };
+        const Lanes3 a = corners(0), b = corners(1), c = corners(2);
+        std::uint32_t bits = around.overlapping(min3(a, min3(b, c)), max3(a, max3(b, c)));
+        for (; bits != 0; bits &= bits - 1)
+            near.look_at(tree, number, first + static_cast<std::uint32_t>(std::countr_zero(bits)), q, best);
+    }
+}
+
+/// Depth-first search; the child that is nearer to more lanes comes first.
+inline void search(const TriangleTree& tree, const Lanes3& q, NearestTriangle& best) {
+    const Tag d;
+    const std::span<const TriangleTree::Node> nodes = tree.nodes();
+    NearTriangles near;
+    // Without a bound every leaf narrows the search; with one, leaves wait for one another.
+    const bool is_unbounded = !(hn::GetLane(hn::MaxOfLanes(d, best.squared)) < 1e12f);
+    std::array<std::uint32_t, 64> open{0};
+    std::uint32_t count = 1;
+    while (count > 0) {
+        const TriangleTree::Node& node = nodes[open[--count]];
+        if (node.count > 0) {
+            if (hn::AllFalse(d, hn::Le(squared_distance(q, node), best.squared))) continue;
+            for (std::uint32_t k = 0; k < node.count; ++k)
+                near.look_at(tree, node.first / TriangleLeaf::size, k, q, best);
+            if (is_unbounded) near.look_at_all(tree, q, best);
+            continue;
+        }
+        const Lanes first = squared_distance(q, nodes[node.first]),
+                    second = squared_distance(q, nodes[node.first + 1]);
+        const auto in_first = hn::Le(first, best.squared), in_second = hn::Le(second, best.squared);
+        const auto by_second = hn::And(in_second, hn::Or(hn::Lt(second, first), hn::Not(in_first)));
+        const bool second_is_nearer =
+            2 * hn::CountTrue(d, by_second) > hn::CountTrue(d, hn::Or(in_first, in_second));
+        const bool any[2] = {!hn::AllFalse(d, in_first), !hn::AllFalse(d, in_second)};
+        for (const std::uint32_t child : {second_is_nearer ? 0u : 1u, second_is_nearer ? 1u : 0u})
+            if (any[child]) open[count++] = node.first + child;
+    }
+    near.look_at_all(tree, q, best);
+}
+
 /// The leaves of a tree within sight of a block of points. They are found once, so that the few points of a
 /// register need not descend the tree each time.
 class NearLeaves {
@@ -112,14 +261,13 @@ class NearLeaves {
     /// Lists leaves for points in the box. If they do not fit or the sight is unbounded, search() declines.
     NearLeaves(const TriangleTree& tree, const Eigen::AlignedBox3f& box, float sight) : box_(box) {
         if (box.isEmpty() || !(sight < 1e6f)) return;
-        const Vector3 margin = Vector3::Constant(1.0001f * sight);
-        const Vector3 lower = box.min() - margin, upper = box.max() + margin;
+        const Around around(box, sight);
+        const Vector3 lower = around.box.min(), upper = around.box.max();
         const std::span<const TriangleTree::Node> nodes = tree.nodes();
         std::array<std::uint32_t, 64> open{0};
         std::uint32_t waiting = 1;
         while (waiting > 0) {
-            const std::uint32_t number = open[--waiting];
-            const TriangleTree::Node& node = nodes[number];
+            const TriangleTree::Node& node = nodes[open[--waiting]];
             if (node.lower.x > upper.x() || node.upper.x < lower.x() || node.lower.y > upper.y() ||
                 node.upper.y < lower.y() || node.lower.z > upper.z() || node.upper.z < lower.z())
                 continue;
@@ -129,7 +277,7 @@ class NearLeaves {
             } else if (count_ == most) {
                 return;
             } else {
-                add(node, number);
+                add(node);
             }
         }
         sight_ = sight;
@@ -144,51 +292,41 @@ class NearLeaves {
         LaneBox of_lanes;
         of_lanes.add(q, asked);
         const Eigen::AlignedBox3f box = of_lanes.box();
-        if (box.isEmpty() || !box_.contains(box)) return false;
-        const Tag d;
-        const float beyond = 1.0001f * sight;
-        const Lanes3 lower = set3(Vector3(box.min() - Vector3::Constant(beyond)));
-        const Lanes3 upper = set3(Vector3(box.max() + Vector3::Constant(beyond)));
+        if (box.isEmpty()) return true;
+        if (!box_.contains(box)) return false;
+        const Around around(box, sight);
+        NearTriangles near;
         for (std::uint32_t first = 0; first < count_; first += part_lanes) {
-            const auto overlaps = [&](const float* of_lower, const float* of_upper, Lanes low, Lanes high) {
-                return hn::And(hn::Le(load_lanes(of_lower + first), high),
-                               hn::Ge(load_lanes(of_upper + first), low));
-            };
-            const auto near = hn::And(overlaps(lower_[0], upper_[0], lower.x, upper.x),
-                                      hn::And(overlaps(lower_[1], upper_[1], lower.y, upper.y),
-                                              overlaps(lower_[2], upper_[2], lower.z, upper.z)));
-            std::uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, near, bytes);
-            std::uint32_t bits = 0;
-            std::memcpy(&bits, bytes, sizeof bits);
+            std::uint32_t bits = around.overlapping(
+                {load_lanes(lower_[0] + first), load_lanes(lower_[1] + first), load_lanes(lower_[2] + first)},
+                {load_lanes(upper_[0] + first), load_lanes(upper_[1] + first),
+                 load_lanes(upper_[2] + first)});
             if (count_ - first < part_lanes) bits &= (1u << (count_ - first)) - 1;
-            for (; bits != 0; bits &= bits - 1) {
-                const TriangleTree::Node& node =
-                    tree.nodes()[nodes_[first + static_cast<std::uint32_t>(std::countr_zero(bits))]];
-                if (!hn::AllFalse(d, hn::Le(squared_distance(q, node), best.squared)))
-                    look_at_leaf(tree, node, q, best);
-            }
+            for (; bits != 0; bits &= bits - 1)
+                look_at_leaf(tree, leaves_[first + static_cast<std::uint32_t>(std::countr_zero(bits))],
+                             around, q, near, best);
         }
+        near.look_at_all(tree, q, best);
         return true;
     }
 
   private:
-    static constexpr std::uint32_t most = 512;
+    static constexpr std::uint32_t most = 128;
 
-    void add(const TriangleTree::Node& node, std::uint32_t number) {
+    void add(const TriangleTree::Node& node) {
         const Vector3 lower = to_vector(node.lower), upper = to_vector(node.upper);
         for (int k = 0; k < 3; ++k) {
             lower_[k][count_] = lower[k];
             upper_[k][count_] = upper[k];
         }
-        nodes_[count_++] = number;
+        leaves_[count_++] = node.first / TriangleLeaf::size;
     }
 
     Eigen::AlignedBox3f box_;
     float sight_ = -1;  // negative: the list is incomplete
     std::uint32_t count_ = 0;
     alignas(64) float lower_[3][most], upper_[3][most];
-    std::uint32_t nodes_[most];
+    std::uint32_t leaves_[most];
 };
 
 }  // namespace weft::HWY_NAMESPACE

@@ -14,7 +14,6 @@ namespace weft {
 namespace {
 
 constexpr std::size_t most_triangles = std::size_t{1} << 22;
-constexpr std::uint32_t most_in_leaf = 2;
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 Error invalid(const char* name, const std::string& rest) {
@@ -88,7 +87,6 @@ Result<TriangleTree> TriangleTree::make(const char* name, std::span<const Vec3> 
     made.build();
     (void)made.find_neighbours(name);  // again: build() has reordered the triangles
     made.fit();
-    made.find_normals();
     return made;
 }
 
@@ -127,7 +125,8 @@ Result<void> TriangleTree::find_neighbours(const char* name) {
     return {};
 }
 
-// Splits at the median of the triangles' centroids, along the longest side of the centroids' bounding box.
+// Splits near the median of the triangles' centroids, along the longest side of the centroids' bounding box,
+// so that all leaves but the last are full.
 void TriangleTree::build() {
     const auto middle = [&](const Corners& t) -> Vector3 {
         return (to_vector(vertices_[t[0]]) + to_vector(vertices_[t[1]]) + to_vector(vertices_[t[2]])) / 3;
@@ -135,25 +134,31 @@ void TriangleTree::build() {
     nodes_.assign(1, {{}, {}, 0, static_cast<std::uint32_t>(triangles_.size())});
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         const std::uint32_t first = nodes_[n].first, count = nodes_[n].count;
-        if (count <= most_in_leaf) continue;
+        if (count <= TriangleLeaf::size) continue;
+        const std::uint32_t half =
+            (count + TriangleLeaf::size - 1) / TriangleLeaf::size / 2 * TriangleLeaf::size;
         Eigen::AlignedBox3f middles;
         for (std::uint32_t t = first; t < first + count; ++t) middles.extend(middle(triangles_[t]));
         int axis = 0;
         middles.sizes().maxCoeff(&axis);
         const auto begin = triangles_.begin() + first;
-        std::nth_element(begin, begin + count / 2, begin + count, [&](const Corners& a, const Corners& b) {
+        std::nth_element(begin, begin + half, begin + count, [&](const Corners& a, const Corners& b) {
             const float of_a = middle(a)[axis], of_b = middle(b)[axis];
             return of_a != of_b ? of_a < of_b : a < b;
         });
         nodes_[n].first = static_cast<std::uint32_t>(nodes_.size());
         nodes_[n].count = 0;
-        nodes_.push_back({{}, {}, first, count / 2});
-        nodes_.push_back({{}, {}, first + count / 2, count - count / 2});
+        nodes_.push_back({{}, {}, first, half});
+        nodes_.push_back({{}, {}, first + half, count - half});
     }
+    leaves_.resize((triangles_.size() + TriangleLeaf::size - 1) / TriangleLeaf::size);
+    face_normals_.resize(triangles_.size());
+    vertex_normals_.resize(vertices_.size());
 }
 
 // Nodes are fitted from the last to the first, because children stand after their parents.
 void TriangleTree::fit() {
+    fit_leaves(vertices_, triangles_, leaves_, face_normals_, vertex_normals_);
     float largest = 0;
     for (const Vec3& v : vertices_) largest = std::max(largest, to_vector(v).cwiseAbs().maxCoeff());
     const Vector3 slack = Vector3::Constant(2e-6f * largest);
@@ -173,25 +178,7 @@ void TriangleTree::fit() {
     }
 }
 
-void TriangleTree::find_normals() {
-    face_normals_.resize(triangles_.size());
-    vertex_normals_.assign(vertices_.size(), Vec3{});
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-        const Corners& c = triangles_[t];
-        const std::array<Vector3, 3> x{to_vector(vertices_[c[0]]), to_vector(vertices_[c[1]]),
-                                       to_vector(vertices_[c[2]])};
-        const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]).stableNormalized();
-        face_normals_[t] = to_vec3(normal);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vector3 a = x[(k + 1) % 3] - x[k], b = x[(k + 2) % 3] - x[k];
-            Vec3& sum = vertex_normals_[c[k]];
-            sum = to_vec3(to_vector(sum) + std::atan2(a.cross(b).norm(), a.dot(b)) * normal);
-        }
-    }
-}
-
 Vector3 TriangleTree::pseudo_normal(std::uint32_t triangle, const std::array<float, 3>& weights) const {
-    constexpr float on_border = 1e-6f;
     const Corners& corners = triangles_[triangle];
     const Vector3 face = to_vector(face_normals_[triangle]);
     int zeros = 0;
@@ -224,14 +211,12 @@ void TriangleTree::deform(std::span<const Vec3> vertices, bool again) {
         vertices_[v] = to;
     }
     fit();
-    find_normals();
 }
 
 void TriangleTree::put_back(std::span<const Vec3> vertices, std::span<const Vec3> displacements) {
     std::ranges::copy(vertices, vertices_.begin());
     displacements_.assign(displacements.begin(), displacements.end());
     fit();
-    find_normals();
 }
 
 Eigen::AlignedBox3f TriangleTree::box() const {
@@ -241,7 +226,7 @@ Eigen::AlignedBox3f TriangleTree::box() const {
 std::size_t TriangleTree::bytes() const noexcept {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     return of(vertices_) + of(displacements_) + of(representative_) + of(triangles_) + of(neighbours_) +
-           of(face_normals_) + of(vertex_normals_) + of(nodes_);
+           of(face_normals_) + of(vertex_normals_) + of(nodes_) + of(leaves_);
 }
 
 }  // namespace weft

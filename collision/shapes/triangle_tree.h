@@ -6,17 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "collision/shapes/triangle_leaves.h"
 #include "engine/vector.h"
 #include "weft/error.h"
 #include "weft/types.h"
 
 namespace weft {
 
-using Corners = std::array<std::uint32_t, 3>;
-
 class TriangleTree {
   public:
-    /// Bounding box of a subtree. Children are `first` and `first + 1`; a leaf's triangles begin at `first`.
+    /// Bounding box of a subtree. Children are `first` and `first + 1`; a leaf's triangles begin at `first`,
+    /// a multiple of TriangleLeaf::size, and fill one TriangleLeaf.
     struct Node {
         Vec3 lower, upper;           // padded against rounding, which must not prune the nearest triangle
         std::uint32_t first, count;  // count 0: an inner node
@@ -40,13 +40,17 @@ class TriangleTree {
     void put_back(std::span<const Vec3> vertices, std::span<const Vec3> displacements);
 
     [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
+    [[nodiscard]] std::span<const TriangleLeaf> leaves() const noexcept { return leaves_; }
     [[nodiscard]] std::span<const Vec3> vertices() const noexcept { return vertices_; }
+    [[nodiscard]] std::span<const Vec3> face_normals() const noexcept { return face_normals_; }
     [[nodiscard]] std::span<const Vec3> displacements() const noexcept { return displacements_; }
     [[nodiscard]] const Corners& triangle(std::uint32_t t) const noexcept { return triangles_[t]; }
     [[nodiscard]] std::size_t size() const noexcept { return triangles_.size(); }
     [[nodiscard]] bool is_closed() const noexcept { return closed_; }
     [[nodiscard]] Eigen::AlignedBox3f box() const;
 
+    /// Weight of a triangle's corner below which a point is on the border across from it.
+    static constexpr float on_border = 1e-6f;
     /// The pseudo-normal, not normalised, at the point of a triangle with these barycentric weights: that of
     /// the face, of an edge or of a vertex (Baerentzen, Aanaes 2005).
     [[nodiscard]] Vector3 pseudo_normal(std::uint32_t triangle, const std::array<float, 3>& weights) const;
@@ -56,7 +60,6 @@ class TriangleTree {
     [[nodiscard]] Result<void> find_neighbours(const char* name);
     void build();
     void fit();
-    void find_normals();
 
     std::vector<Vec3> vertices_, displacements_;
     std::vector<std::uint32_t> representative_;  // the first vertex at the same position, by vertex
@@ -64,6 +67,7 @@ class TriangleTree {
     std::vector<Corners> neighbours_;            // across the edge from each corner to the next
     std::vector<Vec3> face_normals_, vertex_normals_;
     std::vector<Node> nodes_;
+    std::vector<TriangleLeaf> leaves_;
     bool closed_ = true;
 };
 

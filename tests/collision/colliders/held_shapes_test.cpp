@@ -65,6 +65,46 @@ TEST(HeldShapes, DistancesAreBruteForcesWithItsSign) {
     }
 }
 
+/// Triangles at random, of sizes from 1 mm to 1 m and of any width, which share no corners.
+Solid splinters(std::size_t count) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> uniform(-1, 1);
+    const auto vector = [&] { return Vector3(uniform(random), uniform(random), uniform(random)); };
+    Solid made;
+    for (std::size_t t = 0; t < count; ++t) {
+        const float size = std::pow(10.0f, 1.5f * uniform(random) - 1.5f);
+        const float width = std::pow(10.0f, 2.0f * uniform(random) - 2.0f);
+        const Vector3 a = vector(), along = size * vector();
+        const auto first = static_cast<std::uint32_t>(made.vertices.size());
+        for (const Vector3& corner :
+             {a, Vector3(a + along), Vector3(a + 0.6f * along + size * width * vector())})
+            made.vertices.push_back(to_vec3(corner));
+        made.triangles.push_back({first, first + 1, first + 2});
+    }
+    return made;
+}
+
+TEST(HeldShapes, NoBoundLeavesOutTheNearestTriangle) {
+    const Solid solid = splinters(400);
+    const HeldShape held = hold(solid.mesh(false));
+    std::vector<Vec3> points = points_about({1.2f, 1.2f, 1.2f}, 400);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> uniform(-1, 1);
+    for (const auto& t : solid.triangles)  // beside each, as far as it is long and much nearer
+        for (const float far : {1.0f, 0.1f, 1e-3f}) {
+            const Vector3 a = to_vector(solid.vertices[t[0]]), b = to_vector(solid.vertices[t[1]]);
+            const Vector3 away(uniform(random), uniform(random), uniform(random));
+            points.push_back(
+                to_vec3(Vector3(a + 0.5f * (uniform(random) + 1) * (b - a) + far * (b - a).norm() * away)));
+        }
+    const std::vector<Vec4> surfaces = surfaces_of(held, points), near = surfaces_of(held, points, 0.05f);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double distance = std::abs(distance_to(solid, to_vector(points[i])));
+        EXPECT_NEAR(static_cast<double>(std::abs(surfaces[i].w)), distance, 2e-6) << i;
+        EXPECT_EQ(near[i].w, surfaces[i].w < 0.05f ? surfaces[i].w : 0.05f) << i;
+    }
+}
+
 TEST(HeldShapes, AnOpenMeshHasTwoSides) {
     const Solid sheet{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 2, 1}}};
     const HeldShape held = hold(sheet.mesh(false));
@@ -228,6 +268,30 @@ TEST(HeldShapes, AMeshThatDeformsIsLikeOneMadeSo) {
     const std::vector<Vec4> after = surfaces_of(held, points);
     EXPECT_EQ(std::memcmp(after.data(), deformed.data(), after.size() * sizeof(Vec4)), 0);
     EXPECT_FALSE(hold(ConvexHull{points}).deform(points, 1).ok());
+}
+
+TEST(HeldShapes, CellsOutsideADeformedMeshRuleOutNothingInside) {
+    Solid solid = torus(0.5f, 0.2f, 24, 12);
+    HeldShape held = hold(solid.mesh());
+    for (Vec3& v : solid.vertices) v = {1.2f * v.x + 0.1f, 0.7f * v.y + 0.2f * v.x, v.z};
+    ASSERT_TRUE(held.deform(solid.vertices, 1).ok());
+    std::size_t inside = 0, outside = 0, ruled_out = 0;
+    for (const Vec3& p : points_about({1, 0.4f, 1}, 3000)) {
+        const double distance = distance_to(solid, to_vector(p));
+        for (const float depth : {2e-3f, 0.01f, 0.05f}) {
+            const bool may_be = held.may_be_deeper(to_vector(p), depth);
+            if (distance < -static_cast<double>(depth)) {
+                EXPECT_TRUE(may_be) << distance;
+                ++inside;
+            }
+            if (distance > 0.03) {
+                ++outside;
+                ruled_out += may_be ? 0 : 1;
+            }
+        }
+    }
+    EXPECT_GT(inside, 500u);
+    EXPECT_GT(ruled_out, outside - outside / 20);
 }
 
 TEST(HeldShapes, RefuseWhatIsNotWhatItSays) {
