@@ -52,7 +52,7 @@ void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bod
     scratch.take(ranges_, bodies.size());
     scratch.take(restitutions_, bodies.size());
     for (auto* array : {&start_, &displacements_, &base_, &searched_}) scratch.take(*array, particles);
-    finder_.lay_out(scratch, bodies);
+    finder_.lay_out_boxes(scratch, bodies);
     pairs_.lay_out(scratch, pairs);
     narrowing_.lay_out(scratch, pairs);
     crossings_.lay_out(scratch, crossings);
@@ -75,7 +75,10 @@ void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bod
             rows_.lay_out_solve(scratch, particles, pairs);
             rows_.untangling().lay_out(scratch, crossings);
         },
-        [&] { settler_.lay_out_cut(scratch, particles, bodies.size(), pairs); });
+        [&] {
+            scratch.take_by_turns([&] { settler_.lay_out_cut(scratch, particles, bodies.size(), pairs); },
+                                  [&] { finder_.lay_out_pool(scratch, pairs); });
+        });
     if (scratch.has_memory()) number_bodies();
 }
 

@@ -256,7 +256,7 @@ struct SearchAlike {
     LaidOut<PairList> list{1 << 18};
 
     explicit SearchAlike(const ContactScene& scene) {
-        finder.reserve(scene.bodies);
+        finder.reserve(scene.bodies, room_for_pairs);
         finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, 1, FullList::has_the_first,
                     Parts::alike);
     }

@@ -56,7 +56,7 @@ class Meeting {
     std::span<const std::uint32_t> find() {
         Parallel serial(1);
         LaidOut<PairFinder> finder;
-        finder.reserve(bodies);
+        finder.reserve(bodies, pairs.capacity());
         finder.find(serial, bodies, positions, velocities, pairs);
         EXPECT_FALSE(pairs.overflowed);
         colliding.resize(pairs.size);

@@ -45,12 +45,12 @@ struct CrossingCandidates {
 
 struct CrossingCollector {
     const PairSearch& search;
-    Found<Crossing>& found;
+    FoundCrossings& found;
     CrossingCandidates candidates;
     NearEdges edges;
     NearTriangles triangles;
 
-    HWY_INLINE CrossingCollector(const PairSearch& s, Found<Crossing>& f) : search(s), found(f) {}
+    HWY_INLINE CrossingCollector(const PairSearch& s, FoundCrossings& f) : search(s), found(f) {}
 
     /// Whether a plane across one of five axes separates edge and triangle by more than the rounding error.
     /// The axes are the triangle's normal and, in its plane, the normals of its three sides and of the edge.
@@ -128,7 +128,7 @@ struct CrossingCollector {
     }
 };
 
-void crossings(const PairSearch& search, std::uint32_t block, Found<Crossing>& found) {
+void crossings(const PairSearch& search, std::uint32_t block, FoundCrossings& found) {
     CrossingCollector collector(search, found);
     for_each_near_patch(search, block,
                         [&](const SearchedPatch& a, const SearchedPatch& b, bool is_same) HWY_ATTR {
@@ -147,7 +147,7 @@ namespace weft {
 
 HWY_EXPORT(crossings);
 
-void find_crossings(const PairSearch& search, std::uint32_t block, Found<Crossing>& found) {
+void find_crossings(const PairSearch& search, std::uint32_t block, FoundCrossings& found) {
     HWY_DYNAMIC_DISPATCH(crossings)(search, block, found);
 }
 

@@ -8,10 +8,7 @@ namespace weft {
 
 namespace {
 
-/// Room for a block's pairs until all are counted: enough for layers that lie on one another. A block with
-/// more is searched again.
-constexpr std::uint32_t kept_vertex_triangle = 1024, kept_edge_edge = 2560;
-constexpr std::uint32_t kept = kept_vertex_triangle + kept_edge_edge;
+/// Room for a block's crossings until all are counted. A block with more is searched again.
 constexpr std::uint32_t kept_crossings = 64;
 
 /// `count` items from `first` on, or as many as the list has.
@@ -57,7 +54,6 @@ void PairFinder::lay_out(Scratch& scratch, const Room& room) {
     scratch.take(boxes_.neighbours, room.neighbours);
     scratch.take(of_crossings_, room.neighbours);
     scratch.take(boxes_.wanted, blocks * PatchBlock::most);
-    scratch.take(room_, blocks * kept);
     scratch.take(block_pairs_, blocks);
     fill_.lay_out(scratch, blocks);
     scratch.take(crossing_room_, blocks * kept_crossings);
@@ -182,12 +178,12 @@ void PairFinder::find_block(const PairSearch& search, std::uint32_t block, Found
 void PairFinder::count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity,
                              FullList full) {
     fill_.begin(block_count_, capacity, full);
+    pool_.begin();
     parallel.blocks(block_count_, [&](std::uint32_t block) {
-        FoundPairs pairs = room_of(block);
-        pairs.fill = &fill_;
-        pairs.block = block;
+        FoundPairs pairs{PairsOfBlock(pool_), PairsOfBlock(pool_), &fill_, block};
         find_block(search, block, pairs);
-        block_pairs_[block] = {pairs.vertex_triangle.count, pairs.edge_edge.count, 0, 0};
+        block_pairs_[block] = {{pairs.vertex_triangle.count, pairs.vertex_triangle.first_chunk()},
+                               {pairs.edge_edge.count, pairs.edge_edge.first_chunk()}};
     });
 }
 
@@ -204,7 +200,7 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
     ask_neighbours(parallel, search);
     want(parallel, search);
     parallel.blocks(block_count_, [&](std::uint32_t block) {
-        Found<Crossing> crossings{room_of_block(block)};
+        FoundCrossings crossings{room_of_block(block)};
         if (is_calm_[block] == 0) weft::find_crossings(search, block, crossings);
         block_crossings_[block] = crossings.count;
     });
@@ -216,7 +212,7 @@ void PairFinder::find_crossings(Parallel& parallel, std::span<const ContactBody>
                     static_cast<std::size_t>(std::min<std::uint64_t>(count, found.capacity())),
                     block_crossings_[block]);
         count += block_crossings_[block];
-        Found<Crossing> again{to};
+        FoundCrossings again{to};
         if (block_crossings_[block] > kept_crossings)
             weft::find_crossings(search, block, again);
         else
@@ -258,11 +254,6 @@ void PairFinder::want(Parallel& parallel, const PairSearch& search) {
     parallel.blocks(block_count_, [&](std::uint32_t block) { place_features(search, block, boxes_); });
 }
 
-FoundPairs PairFinder::room_of(std::uint32_t block) {
-    const std::span<FeaturePair> room = room_.span().subspan(std::size_t{block} * kept, kept);
-    return {{room.first(kept_vertex_triangle)}, {room.subspan(kept_vertex_triangle)}};
-}
-
 // Pairs of edges that are in the list already move back, to make room for new pairs of vertices.
 void PairFinder::number(PairList& found) {
     const std::uint32_t had_vertex_triangle = found.vertex_triangle, had = found.size;
@@ -272,11 +263,10 @@ void PairFinder::number(PairList& found) {
         count += pairs;
         return static_cast<std::uint32_t>(first);
     };
-    for (BlockPairs& block : block_pairs_.span().first(block_count_))
-        block.first_vertex_triangle = take(block.vertex_triangle);
+    const auto blocks = block_pairs_.span().first(block_count_);
+    for (PairsOfBothKinds& block : blocks) block.vertex_triangle.first = take(block.vertex_triangle.count);
     found.vertex_triangle = take(had - had_vertex_triangle);
-    for (BlockPairs& block : block_pairs_.span().first(block_count_))
-        block.first_edge_edge = take(block.edge_edge);
+    for (PairsOfBothKinds& block : blocks) block.edge_edge.first = take(block.edge_edge.count);
     found.size = take(0);
     found.overflowed = count > found.capacity();
     if (found.overflowed || had == had_vertex_triangle) return;
@@ -289,22 +279,23 @@ void PairFinder::number(PairList& found) {
 }
 
 void PairFinder::write(const PairSearch& search, std::uint32_t block, PairList& found) {
-    const BlockPairs& here = block_pairs_[block];
-    const std::span<FeaturePair> vertex_triangle =
-        part_of(found.pairs.span(), here.first_vertex_triangle, here.vertex_triangle);
-    const std::span<FeaturePair> edge_edge =
-        part_of(found.pairs.span(), here.first_edge_edge, here.edge_edge);
-    if (vertex_triangle.size() > kept_vertex_triangle || edge_edge.size() > kept_edge_edge) {
-        FoundPairs pairs{{vertex_triangle, static_cast<std::uint32_t>(vertex_triangle.size())},
-                         {edge_edge, static_cast<std::uint32_t>(edge_edge.size())}};
-        find_block(search, block, pairs);
+    const auto& [of_vertices, of_edges] = block_pairs_[block];
+    const auto place_of = [&](const BlockPairs& pairs) {
+        return part_of(found.pairs.span(), pairs.first, pairs.count);
+    };
+    const std::span<FeaturePair> vertex_triangle = place_of(of_vertices), edge_edge = place_of(of_edges);
+    const auto has_room = [](const BlockPairs& pairs, std::span<FeaturePair> place) {
+        return place.empty() || pairs.chunk != PairPool::none;
+    };
+    if (has_room(of_vertices, vertex_triangle) && has_room(of_edges, edge_edge)) {
+        pool_.copy(of_vertices.chunk, vertex_triangle);
+        pool_.copy(of_edges.chunk, edge_edge);
     } else {
-        const FoundPairs pairs = room_of(block);
-        std::copy_n(pairs.vertex_triangle.room.begin(), vertex_triangle.size(), vertex_triangle.begin());
-        std::copy_n(pairs.edge_edge.room.begin(), edge_edge.size(), edge_edge.begin());
+        FoundPairs pairs{PairsOfBlock(vertex_triangle), PairsOfBlock(edge_edge)};
+        find_block(search, block, pairs);
     }
-    shape_pairs(search.positions, true, vertex_triangle, found.shapes.data() + here.first_vertex_triangle);
-    shape_pairs(search.positions, false, edge_edge, found.shapes.data() + here.first_edge_edge);
+    shape_pairs(search.positions, true, vertex_triangle, found.shapes.data() + of_vertices.first);
+    shape_pairs(search.positions, false, edge_edge, found.shapes.data() + of_edges.first);
 }
 
 }  // namespace weft

@@ -32,12 +32,22 @@ enum class Parts : std::uint8_t {
 
 class PairFinder {
   public:
-    /// Reserves memory to search bodies of these meshes, or some of them, at any reach and positions.
+    /// Reserves memory to search bodies of these meshes, or some of them, at any reach and positions, with
+    /// lists of so many pairs.
     template <std::ranges::range Bodies>
-    void lay_out(Scratch& scratch, const Bodies& bodies) {
+    void lay_out(Scratch& scratch, const Bodies& bodies, std::size_t pairs) {
+        lay_out_boxes(scratch, bodies);
+        lay_out_pool(scratch, pairs);
+    }
+    /// lay_out() in two parts: what later searches need of earlier ones, and memory for during a search only.
+    template <std::ranges::range Bodies>
+    void lay_out_boxes(Scratch& scratch, const Bodies& bodies) {
         Room room;
         for (const auto& body : bodies) room.add(*body.mesh);
         lay_out(scratch, room);
+    }
+    void lay_out_pool(Scratch& scratch, std::size_t pairs) {
+        pool_.lay_out(scratch, pairs, 2 * blocks_.size());
     }
 
     /// Lists every pair of features that share no vertex, of bodies that may meet, with
@@ -95,10 +105,13 @@ class PairFinder {
     [[nodiscard]] std::uint64_t counted() const noexcept { return fill_.found(); }
 
   private:
-    /// Numbers of a block's pairs, and the places of its first ones in the list.
+    /// A block's pairs of one kind: their number, their first chunk, and their first place in the list.
     struct BlockPairs {
-        std::uint32_t vertex_triangle, edge_edge;
-        std::uint32_t first_vertex_triangle, first_edge_edge;
+        std::uint32_t count, chunk, first = 0;
+    };
+    /// A block's pairs of vertex and triangle, and of edges.
+    struct PairsOfBothKinds {
+        BlockPairs vertex_triangle, edge_edge;
     };
 
     /// Sizes of arrays for some bodies: groups of sixteen slots of each kind, and of triangles in charts,
@@ -125,11 +138,11 @@ class PairFinder {
     void want(Parallel& parallel, const PairSearch& search);
     /// Lists the pairs of a search. Preconditions: place() and ask_neighbours() for the same search.
     void list_pairs(Parallel& parallel, const PairSearch& search, PairList& found, FullList full);
-    [[nodiscard]] FoundPairs room_of(std::uint32_t block);
     void find_block(const PairSearch& search, std::uint32_t block, FoundPairs& pairs) const;
     void count_pairs(Parallel& parallel, const PairSearch& search, std::uint32_t capacity, FullList full);
     void number(PairList& found);
-    /// Adds a block's pairs to the list. A block with more pairs than room_of(block) is searched again.
+    /// Adds a block's pairs to the list. A block that found no room in the pool is searched again: its list
+    /// is full.
     void write(const PairSearch& search, std::uint32_t block, PairList& found);
 
     std::size_t body_count_ = 0;                           // chosen bodies
@@ -139,8 +152,8 @@ class PairFinder {
     ScratchArray<std::uint8_t> is_calm_;  // by block: 1 if none of its pairs of patches is searched
     FeatureBoxes boxes_;
     ScratchArray<Neighbours> of_crossings_;  // neighbours in searches for crossings
-    ScratchArray<FeaturePair> room_;         // pairs of each block, until all are counted
-    ScratchArray<BlockPairs> block_pairs_;
+    PairPool pool_;
+    ScratchArray<PairsOfBothKinds> block_pairs_;
     ListFill fill_;
     ScratchArray<Crossing> crossing_room_;
     ScratchArray<std::uint32_t> block_crossings_;

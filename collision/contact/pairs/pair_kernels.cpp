@@ -37,7 +37,7 @@ HWY_NOINLINE hn::Mask<Tag> boxes_overlap(const PairSearch& search, const PairRea
 /// Adds the candidates that come within reach to `found`, and empties their list.
 template <std::uint32_t of_a>
 HWY_NOINLINE void test_candidates(const PairSearch& search, const PairReach& reach, Candidates& candidates,
-                                  Found<FeaturePair>& found) {
+                                  PairsOfBlock& found) {
     if (found.has_enough()) {
         candidates.count = 0;
         return;

@@ -8,6 +8,7 @@
 #include "collision/contact/pairs/contact_mesh.h"
 #include "collision/contact/pairs/crossings.h"
 #include "collision/contact/pairs/list_fill.h"
+#include "collision/contact/pairs/pair_pool.h"
 #include "collision/contact/pairs/pairs.h"
 #include "collision/search/patch_kernels.h"
 #include "weft/types.h"
@@ -88,24 +89,9 @@ struct PairSearch {
     const std::uint16_t *only = nullptr, *strayed = nullptr;
 };
 
-/// Items found, as many as there is room for. `count` counts all of them; at `enough` the search ends.
-template <class Item>
-struct Found {
-    std::span<Item> room;
-    std::uint32_t enough = ~0u;
-    std::uint32_t count = 0;
-
-    [[nodiscard]] bool has_enough() const { return count >= enough; }
-
-    void add(const Item& item) {
-        if (count < room.size()) room[count] = item;
-        ++count;
-    }
-};
-
 /// The pairs of a block. `fill`, unless null, receives their number during the search.
 struct FoundPairs {
-    Found<FeaturePair> vertex_triangle, edge_edge;
+    PairsOfBlock vertex_triangle, edge_edge;
     ListFill* fill = nullptr;
     std::uint32_t block = 0;
 
@@ -134,11 +120,22 @@ bool want_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& 
 /// Fills the boxes of the features of a block's marked patches.
 void place_features(const PairSearch& search, std::uint32_t block, FeatureBoxes& boxes);
 
+/// The crossings of a block: those that there is room for, and the number of all.
+struct FoundCrossings {
+    std::span<Crossing> room;
+    std::uint32_t count = 0;
+
+    void add(const Crossing& crossing) {
+        if (count < room.size()) room[count] = crossing;
+        ++count;
+    }
+};
+
 /// Finds the pairs of a block with itself and with the blocks after it.
 void find_pairs(const PairSearch& search, std::uint32_t block, FoundPairs& found);
 
 /// Finds the edges and triangles that cross, of a block with itself and with the blocks after it.
-void find_crossings(const PairSearch& search, std::uint32_t block, Found<Crossing>& found);
+void find_crossings(const PairSearch& search, std::uint32_t block, FoundCrossings& found);
 
 /// Computes the shapes of pairs of one kind; `vertex_triangle`: the kind.
 void shape_pairs(const Vec4* positions, bool vertex_triangle, std::span<const FeaturePair> pairs,

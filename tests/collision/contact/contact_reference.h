@@ -20,6 +20,8 @@ namespace weft::test {
 using Vector3d = Eigen::Vector3d;
 using Triangle = ContactMesh::Triangle;
 
+inline constexpr std::size_t room_for_pairs = 1 << 18;  // of a list, unless a test says otherwise
+
 inline Vector3d in_double(const Vec4& v) {
     return {v.x, v.y, v.z};
 }

@@ -20,7 +20,7 @@ namespace {
 LaidOut<CrossingList> crossings_of(const ContactScene& scene, int threads = 1,
                                    std::size_t capacity = 1 << 18) {
     LaidOut<PairFinder> finder;
-    finder.reserve(scene.bodies);
+    finder.reserve(scene.bodies, room_for_pairs);
     Parallel parallel(threads);
     LaidOut<CrossingList> list(capacity);
     finder.find_crossings(parallel, scene.bodies, scene.positions, list);

@@ -8,10 +8,10 @@
 
 namespace weft::test {
 
-inline LaidOut<PairList> pairs_of(const ContactScene& scene, int threads = 1, std::size_t capacity = 1 << 18,
-                                  float of_borders = 1) {
+inline LaidOut<PairList> pairs_of(const ContactScene& scene, int threads = 1,
+                                  std::size_t capacity = room_for_pairs, float of_borders = 1) {
     LaidOut<PairFinder> finder;
-    finder.reserve(scene.bodies);
+    finder.reserve(scene.bodies, capacity);
     Parallel parallel(threads);
     LaidOut<PairList> list(capacity);
     finder.find(parallel, scene.bodies, scene.positions, scene.motions, list, of_borders);

@@ -223,7 +223,7 @@ TEST(PairFinder, FindsTheSameWhateverItSearchedBefore) {
     LaidOut<PairFinder> finder;
     Parallel parallel(1);
     for (const ContactScene& scene : scenes) {
-        finder.reserve(scene.bodies);
+        finder.reserve(scene.bodies, room_for_pairs);
         LaidOut<PairList> list(1 << 18);
         finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
         const LaidOut<PairList> expected = pairs_of(scene);

@@ -68,7 +68,7 @@ TEST(PairFinder, CountsNoMorePairsThanAFullListHasRoomFor) {
     for (const std::uint32_t sheets : {1u, 10u, 80u}) {
         const ContactScene scene = crushed(sheets);
         LaidOut<PairFinder> finder;
-        finder.reserve(scene.bodies);
+        finder.reserve(scene.bodies, room_for_pairs);
         LaidOut<PairList> first(capacity), list(capacity);
         for (const std::uint32_t threads : {1u, 4u}) {
             SCOPED_TRACE(testing::Message() << sheets << " sheets, " << threads << " threads");
@@ -95,7 +95,7 @@ TEST(PairFinder, AListThatIsToBeEmptyWhereItIsFullIsWholeWhereItIsNot) {
     const ContactScene scene = crowded();
     const LaidOut<PairList> expected = pairs_of(scene);
     LaidOut<PairFinder> finder;
-    finder.reserve(scene.bodies);
+    finder.reserve(scene.bodies, room_for_pairs);
     Parallel serial(1);
     LaidOut<PairList> list(expected.size);
     finder.find(serial, scene.bodies, scene.positions, scene.motions, list, 1, FullList::is_empty);
@@ -106,12 +106,20 @@ TEST(PairFinder, AListThatIsToBeEmptyWhereItIsFullIsWholeWhereItIsNot) {
     EXPECT_EQ(shorter.size + shorter.vertex_triangle, 0u);
 }
 
-TEST(PairFinder, AMemoryThatIsTooSmallForABlockDoesNotShow) {
+TEST(PairFinder, APoolThatIsTooSmallDoesNotShow) {
+    constexpr std::size_t capacity = 1 << 20;
     const ContactScene scene = crushed(1);
-    const LaidOut<PairList> expected = pairs_of(scene, 1, 1 << 20);
+    const LaidOut<PairList> expected = pairs_of(scene, 1, capacity);
     EXPECT_FALSE(expected.overflowed);
     EXPECT_GT(expected.size, 200000u);
-    expect_equal(pairs_of(scene, 2, 1 << 20), expected);
+    for (const std::size_t pool : {std::size_t{0}, capacity / 16, capacity}) {
+        LaidOut<PairFinder> finder;
+        finder.reserve(scene.bodies, pool);
+        Parallel parallel(2);
+        LaidOut<PairList> list(capacity);
+        finder.find(parallel, scene.bodies, scene.positions, scene.motions, list);
+        expect_equal(list, expected);
+    }
 }
 
 // A World's groups differ from step to step, and share one finder.
@@ -125,7 +133,7 @@ TEST(PairFinder, FewerBodiesAreSearchedAsByAFinderOfTheirOwn) {
     const std::vector<Triangle> triangles = grid_triangles(20, 20);
     all.add(small.positions, small.positions, triangles, 0.3f * edge);
     LaidOut<PairFinder> finder;
-    finder.reserve(all.bodies);
+    finder.reserve(all.bodies, room_for_pairs);
     Parallel serial(1);
     LaidOut<PairList> of_all(1 << 18), found(1 << 18);
     finder.find(serial, all.bodies, all.positions, all.motions, of_all);
@@ -221,7 +229,7 @@ TEST(PairFinder, FindsMoreWhereParticlesAreMarked) {
         ContactScene scene = folded(30, 0.3f);
         if (moving) scene.add_motions(random_vectors(scene.positions.size(), 0.1f * edge, 2));
         LaidOut<PairFinder> finder;
-        finder.reserve(scene.bodies);
+        finder.reserve(scene.bodies, room_for_pairs);
         Parallel parallel(1);
         LaidOut<PairList> all(1 << 18);
         finder.find(parallel, scene.bodies, scene.positions, scene.motions, all, 1, FullList::has_the_first,

@@ -45,7 +45,7 @@ ContactScene crossed(float part, bool flip_lower = false, bool flip_upper = fals
 struct Vote {
     explicit Vote(const ContactScene& scene) : list(1 << 12), pairs(1 << 15) {
         const std::size_t particles = scene.positions.size();
-        finder.reserve(scene.bodies);
+        finder.reserve(scene.bodies, room_for_pairs);
         finder.find_crossings(serial, scene.bodies, scene.positions, list);
         finder.find(serial, scene.bodies, scene.positions, scene.motions, pairs);
         contours.reserve(scene.bodies.size(), list.capacity());

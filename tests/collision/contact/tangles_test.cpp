@@ -55,7 +55,7 @@ ContactScene dome(float depth) {
 struct Found {
     explicit Found(const ContactScene& scene, std::size_t room = 1 << 12, int threads = 1)
         : parallel(threads), list(room), pairs(1 << 15), exempt(1 << 15), memory(scene.positions.size()) {
-        finder.reserve(scene.bodies);
+        finder.reserve(scene.bodies, room_for_pairs);
         tangles.reserve(Tangles::Room{.bodies = scene.bodies.size(),
                                       .particles = scene.positions.size(),
                                       .pairs = pairs.capacity(),
