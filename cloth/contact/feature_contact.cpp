@@ -68,11 +68,12 @@ void FeatureContact::lay_out(Scratch& scratch, std::span<const ContactCloth> bod
     scratch.take(changes_, blocks);
     scratch.take(marks_, particles);
     scratch.take(colliding_, uses_zones_ ? pairs : 0);
-    rows_.lay_out_rows(scratch, particles, pairs);
+    const PairRows::Room rows{particles, pairs, room_for_rows(particles)};
+    rows_.lay_out_rows(scratch, rows);
     settler_.lay_out_split(scratch, particles, bodies.size());
     scratch.take_by_turns(
         [&] {
-            rows_.lay_out_solve(scratch, particles, pairs);
+            rows_.lay_out_solve(scratch, rows);
             rows_.untangling().lay_out(scratch, crossings);
         },
         [&] {
@@ -181,37 +182,69 @@ void FeatureContact::make_laws(Parallel& parallel) {
                                   kept_floors * std::max(cloths_[a].floor, cloths_[b].floor));
         }
     });
-    leave_borders_to_faces();
+    find_nearest_faces();
+    leave_to_faces(parallel);
+}
+
+// A vertex between two layers is over a face of each.
+void FeatureContact::find_nearest_faces() {
+    constexpr std::uint32_t none = ~0u;
+    const std::span<const PairShape> shapes = std::as_const(pairs_.shapes).span();
+    const auto take_nearer = [&](std::uint32_t& nearest, std::uint32_t k) {
+        if (nearest == none || shapes[k].normal.w < shapes[nearest].normal.w) nearest = k;
+    };
+    std::ranges::fill(nearest_faces_.span(), NearestFaces{none, none});
+    const auto for_each_face = [&](const auto& visit) {
+        for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k)
+            if (laws_[k].radius > 0 && !shapes[k].is_at_border())
+                visit(k, nearest_faces_[pairs_.pairs[k].corners[0]]);
+    };
+    for_each_face([&](std::uint32_t k, NearestFaces& of) { take_nearer(of.nearest, k); });
+    for_each_face([&](std::uint32_t k, NearestFaces& of) {
+        if (xyz(shapes[k].normal).dot(xyz(shapes[of.nearest].normal)) < 0) take_nearer(of.behind, k);
+    });
 }
 
 // Where layers are pressed together, a vertex is near the borders of the face below it, too. These pairs
-// would push it sideways, and stop cloth that lands and slides; so they get no force. They are projected like
-// all others, since squeezed layers would get stuck on one another otherwise.
-void FeatureContact::leave_borders_to_faces() {
+// would push it sideways, and stop cloth that lands and slides; so they get no force. Nor do edges whose four
+// ends have faces about as near on the same side: these hold the layers apart, and edges where ridges cross
+// have none. All are projected like others, since squeezed layers would get stuck on one another otherwise.
+void FeatureContact::leave_to_faces(Parallel& parallel) {
     constexpr std::uint32_t none = ~0u;
-    constexpr float leans = 0.95f;  // cosine of the angle between the two normals
-    const auto nearest_of = [&](std::uint32_t k) -> std::uint32_t& {
-        return nearest_faces_[pairs_.pairs[k].corners[0]];
-    };
+    constexpr float leans = 0.95f;                 // cosine of the angle between the two normals
+    constexpr float alike = 0.7f, as_near = 0.1f;  // the same, of sides; farther than the edges [radii]
+    const std::span<const PairShape> shapes = std::as_const(pairs_.shapes).span();
     const auto distance = [&](std::uint32_t k) {
         Vector3 apart = Vector3::Zero();
         for (std::uint32_t c = 0; c < 4; ++c)
-            apart += pairs_.shapes[k].weight(c) * xyz(start_[pairs_.pairs[k].corners[c]]);
+            apart += shapes[k].weight(c) * xyz(start_[pairs_.pairs[k].corners[c]]);
         return apart.norm();
     };
-    const std::span<const PairShape> shapes = std::as_const(pairs_.shapes).span();
-    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) nearest_of(k) = none;
-    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) {
-        if (!(laws_[k].radius > 0) || shapes[k].is_at_border()) continue;
-        std::uint32_t& nearest = nearest_of(k);
-        if (nearest == none || shapes[k].normal.w < shapes[nearest].normal.w) nearest = k;
-    }
-    for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k) {
-        const std::uint32_t face = nearest_of(k);
-        if (face == none || !shapes[k].is_at_border()) continue;
-        const float along = xyz(shapes[face].normal).dot(xyz(shapes[k].normal));
-        if (along > 0 && along < leans && shapes[face].normal.w <= distance(k)) laws_[k].radius = 0;
-    }
+    const auto is_left = [&](std::uint32_t k) {
+        const FeaturePair& pair = pairs_.pairs[k];
+        const Vector3 normal = xyz(shapes[k].normal);
+        if (k < pairs_.vertex_triangle) {
+            const std::uint32_t face = nearest_faces_[pair.corners[0]].nearest;
+            if (face == none || !shapes[k].is_at_border()) return false;
+            const float along = xyz(shapes[face].normal).dot(normal);
+            return along > 0 && along < leans && shapes[face].normal.w <= distance(k);
+        }
+        const float farthest = shapes[k].normal.w + as_near * laws_[k].radius;
+        const auto stands_for = [&](std::uint32_t face, float side) {
+            return face != none && shapes[face].normal.w <= farthest &&
+                   side * xyz(shapes[face].normal).dot(normal) > alike;
+        };
+        for (std::uint32_t c = 0; c < 4; ++c) {
+            const NearestFaces& of = nearest_faces_[pair.corners[c]];
+            const float side = c < 2 ? 1.0f : -1.0f;
+            if (!stands_for(of.nearest, side) && !stands_for(of.behind, side)) return false;
+        }
+        return true;
+    };
+    parallel.ranges(pairs_.size, [&](const BlockRange& range) {
+        for (std::uint32_t k = range.begin; k < range.end; ++k)
+            if (laws_[k].radius > 0 && is_left(k)) laws_[k].radius = 0;
+    });
 }
 
 void FeatureContact::set_base(Parallel& parallel, std::size_t body, std::span<const Vec4> base_positions) {

@@ -62,6 +62,11 @@ class FeatureContact {
     [[nodiscard]] static std::size_t room_for_pairs(std::size_t particles) {
         return std::max(least_pairs, pairs_per_particle * particles);
     }
+    /// The pairs of a full list that may have rows in the equation: faces stand for most pairs of edges.
+    static constexpr std::size_t rows_per_particle = 8;
+    [[nodiscard]] static std::size_t room_for_rows(std::size_t particles) {
+        return std::max(least_pairs, rows_per_particle * particles);
+    }
 
     /// Particle numbers that a body takes: its particles, padded to whole groups.
     [[nodiscard]] static std::uint32_t particles_of(const ContactMesh& mesh) noexcept {
@@ -142,7 +147,8 @@ class FeatureContact {
     void remember_nothing();
     void find_near(Parallel& parallel, bool& is_crowd);
     void make_laws(Parallel& parallel);
-    void leave_borders_to_faces();
+    void find_nearest_faces();
+    void leave_to_faces(Parallel& parallel);
     void find_tangles(Parallel& parallel);
     bool part_touching(Parallel& parallel);
     /// Finds the crossings of features at these positions. Returns true if there are any.
@@ -219,7 +225,11 @@ class FeatureContact {
     float h_ = 0;
     ScratchArray<PairLaw> laws_;
     ScratchArray<float> wanted_;
-    ScratchArray<std::uint32_t> nearest_faces_;  // by vertex: its pair with the triangle below it
+    /// A vertex's pairs with the triangles that it is over: the nearest, and the nearest on the other side.
+    struct NearestFaces {
+        std::uint32_t nearest, behind;
+    };
+    ScratchArray<NearestFaces> nearest_faces_;  // by particle
     ScratchArray<Vec4> start_, displacements_, base_;
     ScratchArray<Vec4> searched_;   // motions of the first search; from the cut on, displacements before it
     ScratchArray<float> partials_;  // by block

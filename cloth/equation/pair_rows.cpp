@@ -14,23 +14,29 @@ constexpr float spring_per_mass = 50;
 
 }  // namespace
 
-void PairRows::lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs) {
-    scratch.take(numbers_, pairs);
-    scratch.take(groups_, (pairs + PairGroup::lanes - 1) / PairGroup::lanes);
-    scratch.take(products_, pairs);
-    scratch.take(taken_, particles);
+void PairRows::lay_out_rows(Scratch& scratch, const Room& room) {
+    scratch.take(numbers_, room.rows);
+    scratch.take(groups_, (room.rows + PairGroup::lanes - 1) / PairGroup::lanes);
+    scratch.take(products_, room.rows);
+    scratch.take(taken_, room.particles);
 }
 
-void PairRows::lay_out_solve(Scratch& scratch, std::size_t particles, std::size_t pairs) {
-    const std::size_t rows = std::min(particles, 4 * pairs);
-    scratch.take(pairs_, pairs);
-    scratch.take(shares_, pairs);
-    incidence_.lay_out(scratch, particles, pairs);
-    scratch.take(particles_, rows);
-    scratch.take(counts_, rows);
-    scratch.take(pushed_, 4 * pairs);
-    scratch.take(block_counts_, block_count(static_cast<std::uint32_t>(pairs)));
-    scratch.take(marks_, (pairs + 63) / 64);
+void PairRows::lay_out_solve(Scratch& scratch, const Room& room) {
+    const std::size_t touched = std::min(room.particles, 4 * room.rows);
+    incidence_.lay_out_rows(scratch, room.particles, room.rows);
+    scratch.take_by_turns(
+        [&] {
+            scratch.take(pairs_, room.rows);
+            incidence_.lay_out_build(scratch, room.rows);
+        },
+        [&] {
+            scratch.take(shares_, room.rows);
+            scratch.take(pushed_, 4 * room.rows);
+        });
+    scratch.take(particles_, touched);
+    scratch.take(counts_, touched);
+    scratch.take(block_counts_, block_count(static_cast<std::uint32_t>(room.pairs)));
+    scratch.take(marks_, (room.rows + 63) / 64);
     scratch.take(partials_, block_counts_.size());
 }
 
@@ -56,7 +62,8 @@ void PairRows::begin(Parallel& parallel, const PairList& list, std::span<const P
     std::fill_n(counts_.data(), incidence_.rows(), 0u);
 }
 
-// Lists the pairs with a radius, in order. Blocks are counted first, so that each knows where it writes.
+// Lists the pairs with a radius, in order, as far as there is room. Blocks are counted first, so that each
+// knows where it writes.
 void PairRows::choose(Parallel& parallel, std::span<const PairLaw> laws) {
     parallel.ranges(list_->size, [&](const BlockRange& range) {
         std::uint32_t count = 0;
@@ -66,9 +73,11 @@ void PairRows::choose(Parallel& parallel, std::span<const PairLaw> laws) {
     size_ = 0;
     for (std::uint32_t block = 0; block < block_count(list_->size); ++block)
         size_ += std::exchange(block_counts_[block], size_);
+    const auto room = static_cast<std::uint32_t>(numbers_.size());
+    size_ = std::min(size_, room);
     parallel.ranges(list_->size, [&](const BlockRange& range) {
         std::uint32_t to = block_counts_[range.block];
-        for (std::uint32_t k = range.begin; k < range.end; ++k) {
+        for (std::uint32_t k = range.begin; k < range.end && to < room; ++k) {
             if (!(laws[k].radius > 0)) continue;
             numbers_[to] = k;
             pairs_[to++] = list_->pairs[k];

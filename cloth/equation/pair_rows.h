@@ -28,17 +28,22 @@ namespace weft {
 /// so the corners' impulses add up to 0. Corners, and all spans, are numbered through all bodies.
 class PairRows {
   public:
-    /// Room for so many particles, of all bodies together, and so many pairs; not for untangling().
-    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
-        lay_out_rows(scratch, particles, pairs);
-        lay_out_solve(scratch, particles, pairs);
+    /// Room for lists of so many pairs, for rows of so many of these, and for so many particles, of all
+    /// bodies together; not for untangling().
+    struct Room {
+        std::size_t particles, pairs, rows;
+    };
+    void lay_out(Scratch& scratch, const Room& room) {
+        lay_out_rows(scratch, room);
+        lay_out_solve(scratch, room);
     }
     /// lay_out() in two parts: the rows, and the arrays that are unused after the solve.
-    void lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs);
-    void lay_out_solve(Scratch& scratch, std::size_t particles, std::size_t pairs);
+    void lay_out_rows(Scratch& scratch, const Room& room);
+    void lay_out_solve(Scratch& scratch, const Room& room);
 
     /// Begins a substep whose equation has these bases and this gamma. The arguments must outlive it. Pairs
-    /// without a radius get no row and cost nothing afterwards.
+    /// without a radius, and those after the last for which there is room, get no row and cost nothing
+    /// afterwards.
     void begin(Parallel& parallel, const PairList& list, std::span<const PairLaw> laws,
                std::span<const Vec4> base_positions, float gamma);
     [[nodiscard]] bool empty() const noexcept { return size_ == 0 && untangling_.empty(); }
@@ -89,18 +94,28 @@ class PairRows {
                     across.x() * n.y(),          across.x() * n.z(),          across.y() * n.z()};
         }
     };
+    [[nodiscard]] ActivePair active_pair(std::uint32_t row) const {
+        const PairGroup& group = groups_[row / PairGroup::lanes];
+        const std::uint32_t lane = row % PairGroup::lanes, number = numbers_[row];
+        return {list_->pairs[number], list_->shapes[number], group.spring[lane], group.damper[lane]};
+    }
     /// visit(ActivePair) for all pairs that push, in list order.
     template <class Visit>
     void for_each_active(const Visit& visit) const {
-        for (std::uint32_t k = 0; k < size_; ++k)
-            if (pushes(k)) visit(active_pair(k));
+        for_each_active_row([&](std::uint32_t row) { visit(active_pair(row)); });
     }
-    /// visit(ActivePair) for the pairs that push a free particle in [first, first + count), in list order.
+    /// visit(row) for the rows of all pairs that push, ascending.
     template <class Visit>
-    void for_each_active_of(std::uint32_t first, std::size_t count, const Visit& visit) {
+    void for_each_active_row(const Visit& visit) const {
+        for (std::uint32_t k = 0; k < size_; ++k)
+            if (pushes(k)) visit(k);
+    }
+    /// visit(row) for the rows of the pairs that push a free particle in [first, first + count), ascending.
+    template <class Visit>
+    void for_each_active_row_of(std::uint32_t first, std::size_t count, const Visit& visit) {
         constexpr std::uint32_t bits = 64;
         const RowRange rows = rows_of(first, count);
-        if (rows.end - rows.begin == incidence_.rows()) return for_each_active(visit);
+        if (rows.end - rows.begin == incidence_.rows()) return for_each_active_row(visit);
         const std::span<std::uint64_t> marks = marks_.span().first((size_ + bits - 1) / bits);
         std::ranges::fill(marks, std::uint64_t{0});
         for (std::uint32_t r = rows.begin; r < rows.end; ++r)
@@ -110,7 +125,7 @@ class PairRows {
             }
         for (std::uint32_t word = 0; word < marks.size(); ++word)
             for (std::uint64_t left = marks[word]; left != 0; left &= left - 1)
-                visit(active_pair(word * bits + static_cast<std::uint32_t>(std::countr_zero(left))));
+                visit(word * bits + static_cast<std::uint32_t>(std::countr_zero(left)));
     }
     /// Splits the impulses that particles are known to have got among the pairs that pushed when last
     /// linearised, by sweeps of projected Gauss-Seidel: for reports after the solve. The list may have
@@ -146,11 +161,6 @@ class PairRows {
   private:
     [[nodiscard]] bool pushes(std::uint32_t k) const {
         return groups_[k / PairGroup::lanes].spring[k % PairGroup::lanes] > 0;
-    }
-    [[nodiscard]] ActivePair active_pair(std::uint32_t k) const {
-        const PairGroup& group = groups_[k / PairGroup::lanes];
-        const std::uint32_t lane = k % PairGroup::lanes, number = numbers_[k];
-        return {list_->pairs[number], list_->shapes[number], group.spring[lane], group.damper[lane]};
     }
     /// The pair's impulse along the normal is in products_[k].x.
     template <class Missing>

@@ -285,7 +285,7 @@ std::size_t Cloth::scratch_of_steps(Solver& with, bool second_order, const Cloth
 
 /// Reserves room for pairs. If that fails, a cloth without pairs in its equation has none reserved.
 void Cloth::reserve_pairs(Solver& with) const {
-    or_undo([&] { with.reserve_pairs(FeatureContact::room_for_pairs(model.particle_count)); },
+    or_undo([&] { with.reserve_pairs(FeatureContact::room_for_rows(model.particle_count)); },
             [&] {
                 if (pairs_in_equation(settings.self_collision) == 0) with.reserve_pairs(0);
             });
@@ -297,7 +297,7 @@ bool Cloth::has_pair_rows(const ClothSettings& of, const Solver& with) const noe
 
 std::size_t Cloth::pairs_in_equation(const SelfCollision& of) const noexcept {
     std::size_t count =
-        of.method == SelfCollisionMethod::contact ? FeatureContact::room_for_pairs(model.particle_count) : 0;
+        of.method == SelfCollisionMethod::contact ? FeatureContact::room_for_rows(model.particle_count) : 0;
     for (const SeamRows* seam : seams) count += seam->capacity();
     return count;
 }

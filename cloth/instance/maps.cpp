@@ -24,7 +24,7 @@ void Cloth::remake_solver(const MakeRoom& make_room) {
     std::unique_ptr<Solver> made = make_solver(model, settings, state.positions.span());
     made->reserve_pins(state.pins.size());
     if (pairs_in_equation(settings.self_collision) > 0)
-        made->reserve_pairs(FeatureContact::room_for_pairs(model.particle_count));
+        made->reserve_pairs(FeatureContact::room_for_rows(model.particle_count));
     const std::size_t bytes = scratch_of_steps(*made, history.has_value(), settings, contact_mesh.get());
     if (make_room) make_room(bytes);
 

@@ -56,7 +56,7 @@ struct RestingSystem {
         : system(make_system(model, settings)),
           positions(linearise_at_rest(model, *system)),
           pairs(settings.self_collision.method == SelfCollisionMethod::contact
-                    ? FeatureContact::room_for_pairs(model.particle_count)
+                    ? FeatureContact::room_for_rows(model.particle_count)
                     : 0) {}
 };
 

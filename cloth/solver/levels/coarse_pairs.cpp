@@ -170,17 +170,16 @@ void CoarsePairs::merge(Parallel& parallel, std::uint32_t fine_rows, const AddRo
 }
 
 // A group may have more pairs than a cloth has room for. The others act on the finest level only.
-void CoarsePairs::add_to_list(const PairRows::ActivePair& active) {
-    if (listed_ < active_.size()) std::construct_at(&active_[listed_++], active);
-}
-
 void CoarsePairs::list(PairRows& pairs, const Numbering& number) {
+    pairs_ = &pairs;
+    const auto add = [&](std::uint32_t row) {
+        if (listed_ < active_.size()) active_[listed_++] = row;
+    };
     if (const auto ranges = number.ranges(); ranges.size() == 1)
-        pairs.for_each_active_of(ranges[0].in_equation, ranges[0].count,
-                                 [&](const auto& active) { add_to_list(active); });
+        pairs.for_each_active_row_of(ranges[0].in_equation, ranges[0].count, add);
     else
-        pairs.for_each_active([&](const auto& active) {
-            if (number.has_any_corner(active.pair)) add_to_list(active);
+        pairs.for_each_active_row([&](std::uint32_t row) {
+            if (number.has_any_corner(pairs.active_pair(row).pair)) add(row);
         });
 }
 
@@ -199,14 +198,15 @@ void CoarsePairs::gather(Parallel& parallel, const Numbering& number, const Free
     std::atomic<bool> any_outer = false;
     parallel.ranges(count, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
-            const bool inner = number.has_all_corners(active_[k].pair);
-            keys_[k] = inner ? key_of(active_[k], number, p) : Key{no_slot, no_slot, 1};
+            const PairRows::ActivePair active = pairs_->active_pair(active_[k]);
+            const bool inner = number.has_all_corners(active.pair);
+            keys_[k] = inner ? key_of(active, number, p) : Key{no_slot, no_slot, 1};
             if (!inner) any_outer.store(true, std::memory_order_relaxed);
         }
     });
     has_outer_ = any_outer;
     merge(parallel, count, [&](std::uint32_t k, Sum* sum) {
-        const PairRows::ActivePair& active = active_[k];
+        const PairRows::ActivePair active = pairs_->active_pair(active_[k]);
         if (sum != nullptr)
             for (std::uint32_t c = 0; c < 4; ++c)
                 sum->add(p[number(active.pair.corners[c])], keys_[k].sign * active.shape.weight(c));

@@ -84,14 +84,17 @@ class CoarsePairs {
     void lay_out(Scratch& scratch, std::size_t fine_rows, std::uint32_t nodes);
     [[nodiscard]] std::size_t room() const noexcept { return rows_.size(); }
 
-    /// Lists the pairs that push any particle of the levels' cloths. Only one thread at a time may call this
-    /// for the same pairs, which mark what they list.
+    /// Lists the pairs that push any particle of the levels' cloths, until the next layout. Only one thread
+    /// at a time may call this for the same pairs, which mark what they list.
     void list(PairRows& pairs, const Numbering& number);
     /// Makes rows of the listed pairs whose corners are all the levels'. P leads from the first coarse level
     /// to the particles.
     void gather(Parallel& parallel, const Numbering& number, const FreeRows& p);
-    [[nodiscard]] std::span<const PairRows::ActivePair> listed() const noexcept {
-        return active_.span().first(listed_);
+    [[nodiscard]] bool has_listed() const noexcept { return listed_ > 0; }
+    /// visit(PairRows::ActivePair) for the listed pairs.
+    template <class Visit>
+    void for_each_listed(const Visit& visit) const {
+        for (const std::uint32_t row : active_.span().first(listed_)) visit(pairs_->active_pair(row));
     }
     /// Makes rows of a finer coarse level's rows.
     void gather(Parallel& parallel, const CoarsePairs& finer, const Interpolation& p);
@@ -128,7 +131,6 @@ class CoarsePairs {
     [[nodiscard]] static Key key_of(const PairRows::ActivePair& active, const Numbering& number,
                                     const FreeRows& p);
     void sort_by_nodes(Parallel& parallel, std::uint32_t fine_rows);
-    void add_to_list(const PairRows::ActivePair& active);
     template <class AddRow>
     void merge(Parallel& parallel, std::uint32_t fine_rows, const AddRow& add_row);
 
@@ -136,7 +138,8 @@ class CoarsePairs {
     ScratchArray<std::uint32_t> by_high_, order_;  // fine rows, by high node; by key
     ScratchArray<std::uint32_t> starts_;           // by low node: its first place in order_
     ScratchArray<std::uint32_t> merged_;           // by low node: its first coarse row
-    ScratchArray<PairRows::ActivePair> active_;
+    const PairRows* pairs_ = nullptr;
+    ScratchArray<std::uint32_t> active_;  // the listed pairs' rows
     ScratchArray<Row> rows_;
     std::uint32_t listed_ = 0, size_ = 0;  // active pairs, coarse rows
     bool has_outer_ = false;

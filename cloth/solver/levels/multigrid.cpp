@@ -288,7 +288,7 @@ void Multigrid::build(Parallel& parallel) {
 
 void Multigrid::gather_pairs(Parallel& parallel) {
     CoarsePairs& pairs = coarse_.front().pairs();
-    if (pairs.listed().empty()) return;
+    if (!pairs.has_listed()) return;
     pairs.gather(parallel, numbering(), {coarse_.front().interpolation(), pinned_.data()});
     for (std::size_t k = 1; k < coarse_.size(); ++k)
         coarse_[k].pairs().gather(parallel, coarse_[k - 1].pairs(), coarse_[k].interpolation());
@@ -298,12 +298,12 @@ void Multigrid::gather_pairs(Parallel& parallel) {
 // particle, which restriction then takes to the coarse nodes.
 void Multigrid::hold_other_bodies() {
     const Numbering number = numbering();
-    for (const PairRows::ActivePair& active : coarse_.front().pairs().listed()) {
-        if (number.has_all_corners(active.pair)) continue;
+    coarse_.front().pairs().for_each_listed([&](const PairRows::ActivePair& active) {
+        if (number.has_all_corners(active.pair)) return;
         const Symmetric3 stiffness = active.stiffness();
         for (std::uint32_t c = 0; c < 4; ++c)
             hold(active.pair.corners[c], 2 * std::abs(active.shape.weight(c)), stiffness);
-    }
+    });
 }
 
 void Multigrid::hold(std::uint32_t particle, float factor, const Symmetric3& stiffness) {

@@ -45,12 +45,11 @@ void for_each_corner(std::span<const FeaturePair> pairs, std::span<const std::ui
 
 }  // namespace
 
-void PairIncidence::lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+void PairIncidence::lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs) {
     buckets_ = block_count(static_cast<std::uint32_t>(particles));
     scratch.take(counts_, std::size_t{most_blocks} * buckets_);
     scratch.take(bucket_begin_, buckets_ + 1);
     scratch.take(bucket_rows_, buckets_ + 1);
-    scratch.take(entries_, 4 * pairs);
     scratch.take(places_, 4 * pairs);
     scratch.take(particles_, std::min(particles, 4 * pairs));
     scratch.take(starts_, particles_.size() + 1);

@@ -15,8 +15,14 @@ namespace weft {
 /// are 4 * pair + corner, ascending. Particles without pairs cost nothing but their share of a block.
 class PairIncidence {
   public:
-    /// Reserves memory for pairs of so many particles.
-    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs);
+    /// Reserves memory for so many pairs of so many particles.
+    void lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
+        lay_out_rows(scratch, particles, pairs);
+        lay_out_build(scratch, pairs);
+    }
+    /// lay_out() in two parts: the rows, and memory that only build() uses.
+    void lay_out_rows(Scratch& scratch, std::size_t particles, std::size_t pairs);
+    void lay_out_build(Scratch& scratch, std::size_t pairs) { scratch.take(entries_, 4 * pairs); }
 
     /// Builds the rows of the pairs for which chosen[pair] is not zero, or of all if `chosen` is empty.
     /// Preconditions: lay_out() has reserved for so many pairs and for particles above every corner.

@@ -66,10 +66,14 @@ struct Truncation::Sides {
 };
 
 void Truncation::lay_out(Scratch& scratch, std::size_t particles, std::size_t pairs) {
-    incidence_.lay_out(scratch, particles, pairs);
+    incidence_.lay_out_rows(scratch, particles, pairs);
+    scratch.take_by_turns([&] { incidence_.lay_out_build(scratch, pairs); },
+                          [&] {
+                              scratch.take(limits_, pairs);
+                              scratch.take(failed_, pairs);
+                          });
     scratch.take(lanes_, pairs);
-    scratch.take(limits_, pairs);
-    for (auto* array : {&kinds_, &can_fail_, &failed_}) scratch.take(*array, pairs);
+    for (auto* array : {&kinds_, &can_fail_}) scratch.take(*array, pairs);
     scratch.take(was_cut_, particles);
     scratch.take(fractions_, particles);
     scratch.take(block_counts_, block_count(static_cast<std::uint32_t>(pairs)));

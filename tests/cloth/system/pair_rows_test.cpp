@@ -126,7 +126,7 @@ TEST(PairRows, OfOneClothAreThoseThatPushItsFreeParticles) {
     const PairScene scene(61, 333);
     Linearised linearised(scene);
     std::vector<const FeaturePair*> seen;
-    const auto see = [&](const PairRows::ActivePair& active) { seen.push_back(&active.pair); };
+    const auto see = [&](std::uint32_t row) { seen.push_back(&linearised.rows.active_pair(row).pair); };
     for (const auto& [first, count] : {std::pair(0u, 61u), {0, 17}, {17, 30}, {47, 14}, {7, 1}, {20, 0}}) {
         std::vector<const FeaturePair*> expected;
         linearised.rows.for_each_active([&](const PairRows::ActivePair& active) {
@@ -136,9 +136,26 @@ TEST(PairRows, OfOneClothAreThoseThatPushItsFreeParticles) {
                 expected.push_back(&active.pair);
         });
         seen.clear();
-        linearised.rows.for_each_active_of(first, count, see);
+        linearised.rows.for_each_active_row_of(first, count, see);
         EXPECT_EQ(seen, expected) << first << " " << count;
         EXPECT_EQ(seen.empty(), count < 2) << "each cloth but the last two has some";
+    }
+}
+
+TEST(PairRows, AreOfTheFirstPairsThatThereIsRoomFor) {
+    constexpr std::uint32_t particles = 61, count = 5000;  // in several blocks
+    const PairScene scene(particles, count);
+    const auto active_of = [](const Linearised& linearised) {
+        std::vector<const FeaturePair*> active;
+        linearised.rows.for_each_active([&](const PairRows::ActivePair& of) { active.push_back(&of.pair); });
+        return active;
+    };
+    const std::vector<const FeaturePair*> all = active_of(Linearised(scene));
+    for (const std::size_t room : {std::size_t{1}, std::size_t{16}, std::size_t{1001}, std::size_t{count}}) {
+        const std::vector<const FeaturePair*> some = active_of(Linearised(scene, 2, room));
+        ASSERT_LE(some.size(), std::min(room, all.size()));
+        EXPECT_TRUE(std::ranges::equal(some, std::span(all).first(some.size()))) << room;
+        if (room >= 1001) EXPECT_GT(10 * some.size(), std::min(room, all.size())) << room;
     }
 }
 

@@ -53,8 +53,11 @@ struct Linearised {
     Parallel parallel;
     LaidOut<PairRows> rows;
 
-    explicit Linearised(const PairScene& scene, int threads = 1) : parallel(as_for_threads(threads)) {
-        rows.reserve(scene.positions.size(), scene.pairs.size);
+    explicit Linearised(const PairScene& scene, int threads = 1)
+        : Linearised(scene, threads, scene.pairs.size) {}
+    Linearised(const PairScene& scene, int threads, std::size_t room_for_rows)
+        : parallel(as_for_threads(threads)) {
+        rows.reserve(PairRows::Room{scene.positions.size(), scene.pairs.size, room_for_rows});
         rows.begin(parallel, scene.pairs, scene.laws, scene.positions, pair_gamma);
         rows.take(parallel, 0, scene.velocities);
         rows.linearise(parallel);
