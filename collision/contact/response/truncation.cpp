@@ -30,16 +30,16 @@ constexpr std::uint32_t most_rounds_of_standing_planes = 30;
 struct Truncation::Sides {
     float a0, b0, a, b;
 
-    Sides(const Lane& lane, std::uint32_t corners_of_a, const float* tau) {
+    Sides(const Ways& ways, std::uint32_t corners_of_a, const float* tau) {
         a0 = a = std::numeric_limits<float>::infinity();
         b0 = b = -a;
         for (std::uint32_t i = 0; i < corners_of_a; ++i) {
-            a0 = std::min(a0, lane.start[i]);
-            a = std::min(a, lane.start[i] + tau[i] * lane.motion[i]);
+            a0 = std::min(a0, ways.start[i]);
+            a = std::min(a, ways.start[i] + tau[i] * ways.motion[i]);
         }
         for (std::uint32_t i = corners_of_a; i < 4; ++i) {
-            b0 = std::max(b0, lane.start[i]);
-            b = std::max(b, lane.start[i] + tau[i] * lane.motion[i]);
+            b0 = std::max(b0, ways.start[i]);
+            b = std::max(b, ways.start[i] + tau[i] * ways.motion[i]);
         }
     }
 
@@ -72,7 +72,7 @@ void Truncation::lay_out(Scratch& scratch, std::size_t particles, std::size_t pa
                               scratch.take(limits_, pairs);
                               scratch.take(failed_, pairs);
                           });
-    scratch.take(lanes_, pairs);
+    scratch.take(kept_, pairs);
     for (auto* array : {&kinds_, &can_fail_}) scratch.take(*array, pairs);
     scratch.take(was_cut_, particles);
     scratch.take(fractions_, particles);
@@ -83,13 +83,15 @@ void Truncation::cut(Parallel& parallel, std::span<const Vec4> positions, std::s
                      const PairList& pairs, std::span<const std::uint8_t> exempt,
                      const TruncationSettings& settings) {
     sweeps_ = 0;
-    incomplete_ = pairs.overflowed || pairs.size > lanes_.size();
+    incomplete_ = pairs.overflowed || pairs.size > kept_.size();
     const float tau = incomplete_ ? 0.0f : 1.0f;
     parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& block) {
         std::fill_n(fractions_.data() + block.begin, block.end - block.begin, tau);
     });
     if (incomplete_ || pairs.size == 0) return;
-    prepare(parallel, positions, motions, pairs, exempt, settings.floor);
+    positions_ = positions;
+    motions_ = motions;
+    prepare(parallel, pairs, exempt, settings.floor);
     cut_until_none_fails(parallel, pairs, settings.sweeps);
 }
 
@@ -104,40 +106,45 @@ void Truncation::cut_again(Parallel& parallel, const PairList& pairs,
     cut_until_none_fails(parallel, pairs, settings.sweeps);
 }
 
-Truncation::Kind Truncation::prepare_pair(const FeaturePair& pair, const PairShape& shape,
-                                          std::uint32_t corners_of_a, std::span<const Vec4> positions,
-                                          std::span<const Vec4> motions, float floor, Lane& lane) {
-    const Vector3 normal = xyz(shape.normal), origin = xyz(positions[pair.corners[0]]);
+Truncation::Ways Truncation::ways_of(const FeaturePair& pair, const PairShape& shape) const {
+    const Vector3 normal = xyz(shape.normal), origin = xyz(positions_[pair.corners[0]]);
+    Ways ways;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        ways.start[i] = normal.dot(xyz(positions_[pair.corners[i]]) - origin);
+        ways.motion[i] = normal.dot(xyz(motions_[pair.corners[i]]));
+    }
+    return ways;
+}
+
+Truncation::Kind Truncation::kind_of(const FeaturePair& pair, const PairShape& shape,
+                                     std::uint32_t corners_of_a, float floor, float& kept) const {
+    const Ways ways = ways_of(pair, shape);
     bool finite = true;
     float lowest_a = std::numeric_limits<float>::infinity(), highest_b = -lowest_a;
     for (std::uint32_t i = 0; i < 4; ++i) {
-        const float start = normal.dot(xyz(positions[pair.corners[i]]) - origin);
-        const float motion = normal.dot(xyz(motions[pair.corners[i]]));
-        finite &= std::isfinite(start + motion);
+        finite &= std::isfinite(ways.start[i] + ways.motion[i]);
         if (i < corners_of_a) {
-            lowest_a = std::min(lowest_a, start + std::min(0.0f, motion));
+            lowest_a = std::min(lowest_a, ways.start[i] + std::min(0.0f, ways.motion[i]));
         } else {
-            highest_b = std::max(highest_b, start + std::max(0.0f, motion));
+            highest_b = std::max(highest_b, ways.start[i] + std::max(0.0f, ways.motion[i]));
         }
-        lane.start[i] = start;
-        lane.motion[i] = motion;
     }
     constexpr float all[4] = {1, 1, 1, 1};
-    const Sides sides(lane, corners_of_a, all);
-    lane.kept = 0;
+    const Sides sides(ways, corners_of_a, all);
+    kept = 0;
     if (!finite || !(shape.normal.w > 0) || !(sides.a0 > sides.b0)) return held;
-    floor = std::max(floor, kept_per_coordinate * origin.cwiseAbs().maxCoeff());
-    lane.kept = std::min(floor, sides.a0 - sides.b0);
-    return lowest_a - highest_b >= lane.kept ? at_ease : moving;
+    const float farthest = xyz(positions_[pair.corners[0]]).cwiseAbs().maxCoeff();
+    kept = std::min(std::max(floor, kept_per_coordinate * farthest), sides.a0 - sides.b0);
+    return lowest_a - highest_b >= kept ? at_ease : moving;
 }
 
-void Truncation::prepare(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
-                         const PairList& pairs, std::span<const std::uint8_t> exempt, float floor) {
+void Truncation::prepare(Parallel& parallel, const PairList& pairs, std::span<const std::uint8_t> exempt,
+                         float floor) {
     parallel.ranges(pairs.size, [&](const BlockRange& block) {
         for (std::uint32_t k = block.begin; k < block.end; ++k) {
             const bool is_exempt = !exempt.empty() && exempt[k] != 0;
-            const Kind kind = prepare_pair(pairs.pairs[k], pairs.shapes[k], pairs.corners_of_a(k), positions,
-                                           motions, floor, lanes_[k]);
+            const Kind kind =
+                kind_of(pairs.pairs[k], pairs.shapes[k], pairs.corners_of_a(k), floor, kept_[k]);
             kinds_[k] = is_exempt ? left_out : kind;
         }
     });
@@ -189,7 +196,6 @@ std::uint32_t Truncation::sweep(Parallel& parallel, const PairList& pairs, Plane
 /// so that sweeps make progress, or the pair becomes standing and is done.
 bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes planes, Limits& limits) {
     const std::array<std::uint32_t, 4>& corners = pairs.pairs[pair].corners;
-    const Lane& lane = lanes_[pair];
     const std::uint32_t corners_of_a = pairs.corners_of_a(pair);
     if (kinds_[pair] == held) {
         std::ranges::fill(limits.of, 0.0f);
@@ -197,10 +203,12 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
     }
     if (kinds_[pair] != moving) return false;
 
+    const Ways ways = ways_of(pairs.pairs[pair], pairs.shapes[pair]);
+    const float kept = kept_[pair];
     float tau[4];
     for (std::uint32_t i = 0; i < 4; ++i) tau[i] = fractions_[corners[i]];
-    const Sides sides(lane, corners_of_a, tau);
-    if (planes != Planes::stand && sides.a - sides.b >= tolerance * lane.kept) return false;
+    const Sides sides(ways, corners_of_a, tau);
+    if (planes != Planes::stand && sides.a - sides.b >= tolerance * kept) return false;
 
     // A corner's value is monotonic in tau, also when rounded: a corner that is within its plane for one tau
     // is so for every smaller one.
@@ -211,12 +219,12 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
         for (std::uint32_t i = 0; i < 4; ++i) {
             const float plane = i < corners_of_a ? lower_a : upper_b;
             const auto is_beyond = [&](float t) {
-                const float value = lane.start[i] + t * lane.motion[i];
+                const float value = ways.start[i] + t * ways.motion[i];
                 return i < corners_of_a ? value < plane : value > plane;
             };
             limits.of[i] = 1;
             if (!is_beyond(tau[i])) continue;
-            const float most = (plane - lane.start[i]) / lane.motion[i];
+            const float most = (plane - ways.start[i]) / ways.motion[i];
             limits.of[i] = short_of_plane * std::clamp(most, 0.0f, tau[i]);
             any = true;
         }
@@ -224,10 +232,10 @@ bool Truncation::limit_pair(const PairList& pairs, std::uint32_t pair, Planes pl
     };
     float lower_a, upper_b;
     if (planes == Planes::move) {
-        sides.moving_planes(lane.kept, lower_a, upper_b);
+        sides.moving_planes(kept, lower_a, upper_b);
         if (cut_to_planes(lower_a, upper_b)) return true;
     }
-    sides.standing_planes(lane.kept, lower_a, upper_b);
+    sides.standing_planes(kept, lower_a, upper_b);
     kinds_[pair] = standing;
     cut_to_planes(lower_a, upper_b);
     return true;

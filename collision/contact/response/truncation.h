@@ -47,14 +47,15 @@ class Truncation {
              const PairList& pairs, std::span<const std::uint8_t> exempt, const TruncationSettings& settings);
 
     /// Holds the corners of pairs that the caller found to fail by rounding: cut() again, with tau = 0 there.
-    /// held_pairs[pair] != 0 says which. Precondition: after cut(), with the same arguments.
+    /// held_pairs[pair] != 0 says which. Precondition: after cut(), with the same arguments, none of which
+    /// has changed.
     void cut_again(Parallel& parallel, const PairList& pairs, std::span<const std::uint8_t> held_pairs,
                    const TruncationSettings& settings);
 
     /// tau of every particle, 0 to 1.
     [[nodiscard]] std::span<const float> fractions() const noexcept { return fractions_.span(); }
     /// The gap that the pair keeps [m], 0 without one at the start; without meaning for pairs left out.
-    [[nodiscard]] float kept_gap(std::uint32_t pair) const noexcept { return lanes_[pair].kept; }
+    [[nodiscard]] float kept_gap(std::uint32_t pair) const noexcept { return kept_[pair]; }
     /// Whether a pair was left out.
     [[nodiscard]] bool is_left_out(std::uint32_t pair) const noexcept { return kinds_[pair] == left_out; }
 
@@ -64,9 +65,8 @@ class Truncation {
 
   private:
     /// Positions from the first corner and motions of a pair's corners, along the pair's normal.
-    struct Lane {
+    struct Ways {
         float start[4], motion[4];  // n . x and n . E of its corners [m]
-        float kept;                 // the gap that must be kept [m]
     };
     struct Limits {
         float of[4];  // the largest tau of each corner
@@ -80,11 +80,12 @@ class Truncation {
     };
     struct Sides;
 
-    void prepare(Parallel& parallel, std::span<const Vec4> positions, std::span<const Vec4> motions,
-                 const PairList& pairs, std::span<const std::uint8_t> exempt, float floor);
-    static Kind prepare_pair(const FeaturePair& pair, const PairShape& shape, std::uint32_t corners_of_a,
-                             std::span<const Vec4> positions, std::span<const Vec4> motions, float floor,
-                             Lane& lane);
+    [[nodiscard]] Ways ways_of(const FeaturePair& pair, const PairShape& shape) const;
+    void prepare(Parallel& parallel, const PairList& pairs, std::span<const std::uint8_t> exempt,
+                 float floor);
+    /// What the pair is, and the gap that it must keep [m].
+    [[nodiscard]] Kind kind_of(const FeaturePair& pair, const PairShape& shape, std::uint32_t corners_of_a,
+                               float floor, float& kept) const;
     void cut_until_none_fails(Parallel& parallel, const PairList& pairs, std::uint32_t most_sweeps);
     enum class Planes : std::uint8_t { move, stand_where_failing, stand };
     std::uint32_t sweep(Parallel& parallel, const PairList& pairs, Planes planes, bool first);
@@ -92,7 +93,8 @@ class Truncation {
     void gather_limits(Parallel& parallel);
 
     PairIncidence incidence_;  // of pairs that can fail
-    ScratchArray<Lane> lanes_;
+    std::span<const Vec4> positions_, motions_;
+    ScratchArray<float> kept_;  // by pair, see kept_gap()
     ScratchArray<Limits> limits_;
     ScratchArray<std::uint8_t> kinds_, can_fail_, failed_;  // by pair
     ScratchArray<std::uint8_t> was_cut_;                    // by particle, in the last sweep
