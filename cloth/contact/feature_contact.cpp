@@ -158,18 +158,9 @@ bool FeatureContact::are_near_at_rest(const FeaturePair& pair, std::uint32_t cor
 }
 
 // A pair of edges whose closest point is an end of one gets no force: a vertex and a triangle are as near
-// there, and have it. Nor do neighbours whose expected motion brings them nowhere near the radius that they
-// have: cloth that is hardly folded would have a row for each.
+// there, and have it.
 void FeatureContact::make_laws(Parallel& parallel) {
-    constexpr float margin = 2;  // of a neighbours' radius, for motion that is not expected
     const bool is_alone = bodies_.size() == 1;
-    const auto least_gap = [&](std::uint32_t k) {
-        const PairShape& shape = pairs_.shapes[k];
-        Vector3 opening = Vector3::Zero();
-        for (std::uint32_t c = 0; c < 4; ++c)
-            opening += shape.weight(c) * xyz(searched_[pairs_.pairs[k].corners[c]]);
-        return shape.normal.w + std::min(0.0f, xyz(shape.normal).dot(opening));
-    };
     const std::span<const std::uint8_t> exempt = find_exempt(parallel);
     parallel.ranges(pairs_.size, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k) {
@@ -184,8 +175,7 @@ void FeatureContact::make_laws(Parallel& parallel) {
             const float radius = 0.5f * (cloths_[a].radius + cloths_[b].radius) *
                                  (is_at_border ? of_borders : 1) * (are_neighbours ? of_neighbours : 1);
             const float gap = std::min(pairs_.shapes[k].normal.w, radius);
-            const bool stays_away = are_neighbours && least_gap(k) > margin * radius;
-            laws_[k] = {.radius = is_left_alone || stays_away ? 0 : gap + parted_in_a_step * (radius - gap),
+            laws_[k] = {.radius = is_left_alone ? 0 : gap + parted_in_a_step * (radius - gap),
                         .friction = a == b ? cloths_[a].friction
                                            : friction_between(cloths_[a].friction, cloths_[b].friction)};
             wanted_[k] = std::max(projected_gap * laws_[k].radius,

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include "cloth/mesh/rest/fans.h"
 #include "cloth/mesh/rest/rest_elements.h"
@@ -196,8 +196,13 @@ void Plate::find_bearings() {
             bearings_.push_back(Eigen::Matrix3d::Identity());
             continue;
         }
-        const Eigen::JacobiSVD<Eigen::MatrixXd> split(fan.free.transpose(), Eigen::ComputeFullV);
-        bearings_.push_back(split.matrixV().rightCols(3 - fan.free.cols()));
+        const Eigen::Vector3d first = fan.free.col(0).normalized();
+        Tensors bears(3, 3 - fan.free.cols());
+        if (bears.cols() == 1)
+            bears << first.cross(Eigen::Vector3d(fan.free.col(1))).normalized();
+        else
+            bears << first.unitOrthogonal(), first.cross(first.unitOrthogonal());
+        bearings_.push_back(bears);
     }
 }
 

@@ -35,14 +35,16 @@ Surface ledge(float height, float aside) {
     return {{{aside, height, -1, 1}, {aside, height, 1, 1}, {1, height, 0, 1}}, {{0, 1, 2}}};
 }
 
-/// Two triangles that make a roof, whose ridge is along x at y = 0; or, turned round, a valley 4 mm above it
-/// whose lowest line is along z.
-Surface roof() {
-    return {{{-0.025f, 0, 0, 1}, {0.025f, 0, 0, 1}, {0, -0.05f, 0.025f, 1}, {0, -0.05f, -0.025f, 1}},
+/// Two triangles that make a roof of this slope, whose ridge is along x at y = 0; or, turned round, a valley
+/// 4 mm above it whose lowest line is along z.
+Surface roof(float slope) {
+    constexpr float half = 0.02f, wide = 0.03f;
+    const float low = -slope * wide;
+    return {{{-half, 0, 0, 1}, {half, 0, 0, 1}, {0, low, wide, 1}, {0, low, -wide, 1}},
             {{0, 1, 2}, {1, 0, 3}}};
 }
-Surface valley() {
-    Surface surface = roof();
+Surface valley(float slope) {
+    Surface surface = roof(slope);
     for (Vec4& p : surface.points) p = {p.z, 0.004f - p.y, p.x, 1};
     return surface;
 }
@@ -62,6 +64,7 @@ Surface sheet(float height, float turn) {
 
 struct Pushed {
     int tip = 0;                     ///< pairs of the first surface's first point with triangles
+    int ridges = 0;                  ///< pairs of the first two points of each surface, as edges
     int of_faces = 0, of_edges = 0;  ///< pairs with all corners near the middle
 };
 
@@ -92,6 +95,10 @@ Pushed pushed(const std::vector<Surface>& surfaces) {
     space.rows().for_each_active([&](const PairRows::ActivePair& active) {
         const std::span<const std::uint32_t> corners = active.pair.corners;
         count.tip += corners[0] == space.first(0) && corners[1] >= space.first(1);
+        const auto is_of_ridge = [&](std::uint32_t corner) {
+            return corner - space.first(0) < 2 || (surfaces.size() > 1 && corner - space.first(1) < 2);
+        };
+        count.ridges += std::ranges::all_of(corners, is_of_ridge);
         if (std::ranges::all_of(corners, is_inside))
             ++(active.shape.weights.x < 1 ? count.of_edges : count.of_faces);
     });
@@ -124,7 +131,8 @@ TEST(BordersAndFaces, EdgesLeaveTheirForceToFacesAsNear) {
 }
 
 TEST(BordersAndFaces, EdgesPushWhereNoFaceIsAsNear) {
-    EXPECT_EQ(pushed({roof(), valley()}).of_edges, 1);
+    EXPECT_EQ(pushed({roof(2), valley(2)}).ridges, 1) << "no face is near";
+    EXPECT_EQ(pushed({roof(0.2f), valley(0.2f)}).ridges, 1) << "faces at the ends are farther";
 }
 
 }  // namespace
