@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cloth/contact/feature_contact.h"
@@ -46,6 +47,19 @@ Surface roof(float slope) {
 Surface valley(float slope) {
     Surface surface = roof(slope);
     for (Vec4& p : surface.points) p = {p.z, 0.004f - p.y, p.x, 1};
+    return surface;
+}
+/// Small faces 2 mm below the ends of a roof's ridge, and 2 mm above those of a valley's line.
+Surface behind_ridges() {
+    Surface surface;
+    const auto add = [&](float x, float y, float z) { surface.points.push_back({x, y, z, 1}); };
+    for (const float end : {-1.0f, 1.0f}) {
+        for (const auto& [out, aside] : {std::pair(0.0196f, -5e-4f), {0.0196f, 5e-4f}, {0.021f, 0.0f}})
+            add(end * out, -0.002f, aside);
+        for (const auto& [out, aside] : {std::pair(0.0196f, -5e-4f), {0.0196f, 5e-4f}, {0.021f, 0.0f}})
+            add(aside, 0.006f, end * out);
+    }
+    for (std::uint32_t k = 0; k < 12; k += 3) surface.triangles.push_back({k, k + 1, k + 2});
     return surface;
 }
 /// A flat sheet of 8 x 8 particles at this height, turned about the normal.
@@ -133,6 +147,7 @@ TEST(BordersAndFaces, EdgesLeaveTheirForceToFacesAsNear) {
 TEST(BordersAndFaces, EdgesPushWhereNoFaceIsAsNear) {
     EXPECT_EQ(pushed({roof(2), valley(2)}).ridges, 1) << "no face is near";
     EXPECT_EQ(pushed({roof(0.2f), valley(0.2f)}).ridges, 1) << "faces at the ends are farther";
+    EXPECT_EQ(pushed({roof(2), valley(2), behind_ridges()}).ridges, 1) << "faces are near on the other side";
 }
 
 }  // namespace
