@@ -182,18 +182,18 @@ void FeatureContact::make_laws(Parallel& parallel) {
                                   kept_floors * std::max(cloths_[a].floor, cloths_[b].floor));
         }
     });
+    if (pairs_.size == 0) return;  // calm cloth costs nothing
     find_nearest_faces();
     leave_to_faces(parallel);
 }
 
 // A vertex between two layers is over a face of each.
 void FeatureContact::find_nearest_faces() {
-    constexpr std::uint32_t none = ~0u;
     const std::span<const PairShape> shapes = std::as_const(pairs_.shapes).span();
     const auto take_nearer = [&](std::uint32_t& nearest, std::uint32_t k) {
-        if (nearest == none || shapes[k].normal.w < shapes[nearest].normal.w) nearest = k;
+        if (nearest == NearestFaces::none || shapes[k].normal.w < shapes[nearest].normal.w) nearest = k;
     };
-    std::ranges::fill(nearest_faces_.span(), NearestFaces{none, none});
+    std::ranges::fill(nearest_faces_.span(), NearestFaces{});
     const auto for_each_face = [&](const auto& visit) {
         for (std::uint32_t k = 0; k < pairs_.vertex_triangle; ++k)
             if (laws_[k].radius > 0 && !shapes[k].is_at_border())
@@ -210,7 +210,6 @@ void FeatureContact::find_nearest_faces() {
 // ends have faces about as near on the same side: these hold the layers apart, and edges where ridges cross
 // have none. All are projected like others, since squeezed layers would get stuck on one another otherwise.
 void FeatureContact::leave_to_faces(Parallel& parallel) {
-    constexpr std::uint32_t none = ~0u;
     constexpr float leans = 0.95f;                 // cosine of the angle between the two normals
     constexpr float alike = 0.7f, as_near = 0.1f;  // the same, of sides; farther than the edges [radii]
     const std::span<const PairShape> shapes = std::as_const(pairs_.shapes).span();
@@ -220,26 +219,27 @@ void FeatureContact::leave_to_faces(Parallel& parallel) {
             apart += shapes[k].weight(c) * xyz(start_[pairs_.pairs[k].corners[c]]);
         return apart.norm();
     };
-    const auto is_left = [&](std::uint32_t k) {
-        const FeaturePair& pair = pairs_.pairs[k];
-        const Vector3 normal = xyz(shapes[k].normal);
-        if (k < pairs_.vertex_triangle) {
-            const std::uint32_t face = nearest_faces_[pair.corners[0]].nearest;
-            if (face == none || !shapes[k].is_at_border()) return false;
-            const float along = xyz(shapes[face].normal).dot(normal);
-            return along > 0 && along < leans && shapes[face].normal.w <= distance(k);
-        }
+    const auto is_border_of_face = [&](std::uint32_t k) {
+        const std::uint32_t face = nearest_faces_[pairs_.pairs[k].corners[0]].nearest;
+        if (face == NearestFaces::none || !shapes[k].is_at_border()) return false;
+        const float along = xyz(shapes[face].normal).dot(xyz(shapes[k].normal));
+        return along > 0 && along < leans && shapes[face].normal.w <= distance(k);
+    };
+    const auto have_faces_as_near = [&](std::uint32_t k) {
         const float farthest = shapes[k].normal.w + as_near * laws_[k].radius;
         const auto stands_for = [&](std::uint32_t face, float side) {
-            return face != none && shapes[face].normal.w <= farthest &&
-                   side * xyz(shapes[face].normal).dot(normal) > alike;
+            return face != NearestFaces::none && shapes[face].normal.w <= farthest &&
+                   side * xyz(shapes[face].normal).dot(xyz(shapes[k].normal)) > alike;
         };
         for (std::uint32_t c = 0; c < 4; ++c) {
-            const NearestFaces& of = nearest_faces_[pair.corners[c]];
+            const NearestFaces& of = nearest_faces_[pairs_.pairs[k].corners[c]];
             const float side = c < 2 ? 1.0f : -1.0f;
             if (!stands_for(of.nearest, side) && !stands_for(of.behind, side)) return false;
         }
         return true;
+    };
+    const auto is_left = [&](std::uint32_t k) {
+        return k < pairs_.vertex_triangle ? is_border_of_face(k) : have_faces_as_near(k);
     };
     parallel.ranges(pairs_.size, [&](const BlockRange& range) {
         for (std::uint32_t k = range.begin; k < range.end; ++k)

@@ -227,7 +227,8 @@ class FeatureContact {
     ScratchArray<float> wanted_;
     /// A vertex's pairs with the triangles that it is over: the nearest, and the nearest on the other side.
     struct NearestFaces {
-        std::uint32_t nearest, behind;
+        static constexpr std::uint32_t none = ~0u;
+        std::uint32_t nearest = none, behind = none;
     };
     ScratchArray<NearestFaces> nearest_faces_;  // by particle
     ScratchArray<Vec4> start_, displacements_, base_;

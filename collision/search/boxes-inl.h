@@ -18,12 +18,6 @@ struct BoxLanes {
     Lanes3 lower, upper;
 };
 
-HWY_INLINE Lanes3 minimum(const Lanes3& a, const Lanes3& b) {
-    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
-}
-HWY_INLINE Lanes3 maximum(const Lanes3& a, const Lanes3& b) {
-    return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
-}
 HWY_INLINE BoxLanes join(const BoxLanes& a, const BoxLanes& b) {
     return {minimum(a.lower, b.lower), maximum(a.upper, b.upper)};
 }

@@ -19,7 +19,7 @@ class OutsideCells {
     void find(const TriangleTree& tree);
     void clear() { outside_.clear(); }
     [[nodiscard]] bool known() const { return !outside_.empty(); }
-    /// Whether an outside cell is known to come nearer to the point than `distance` [m].
+    /// The point has an outside cell nearer than `distance` [m]: true only if one is found, by 27 probes.
     [[nodiscard]] bool come_near(const Vector3& q, float distance) const;
     [[nodiscard]] std::size_t bytes() const {
         return (touched_.capacity() + outside_.capacity()) * sizeof(Row);

@@ -10,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "collision/geometry/closest-inl.h"
@@ -80,13 +79,6 @@ HWY_INLINE Lanes least_squared(const TriangleLeaf& leaf, std::uint32_t k, const 
     return hn::MulAdd(side, side, hn::Mul(least, least));
 }
 
-HWY_INLINE Lanes3 min3(const Lanes3& a, const Lanes3& b) {
-    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
-}
-HWY_INLINE Lanes3 max3(const Lanes3& a, const Lanes3& b) {
-    return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
-}
-
 /// Bounding box of lanes; of negative infinite size while empty.
 struct LaneBox {
     Lanes3 lower, upper;
@@ -98,8 +90,8 @@ struct LaneBox {
     }
     template <class Mask>
     HWY_INLINE void add(const Lanes3& q, Mask which) {
-        lower = either(which, min3(lower, q), lower);
-        upper = either(which, max3(upper, q), upper);
+        lower = either(which, minimum(lower, q), lower);
+        upper = either(which, maximum(upper, q), upper);
     }
     [[nodiscard]] Eigen::AlignedBox3f box() const {
         const Tag d;
@@ -109,15 +101,6 @@ struct LaneBox {
                 Vector3(most(upper.x), most(upper.y), most(upper.z))};
     }
 };
-
-/// A bit for each lane, from the lowest on.
-HWY_INLINE std::uint32_t bits_of(hn::Mask<Tag> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(Tag(), mask, bytes);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, bytes, sizeof bits);
-    return bits & ((std::uint32_t{1} << part_lanes) - 1);
-}
 
 /// Triangles whose boxes come near a register of points. Lower bounds of all distances come first; exact
 /// distances are found of the triangle with the least bound, lane by lane, and of those whose bounds are not
@@ -217,7 +200,7 @@ inline void look_at_leaf(const TriangleTree& tree, std::uint32_t number, const A
                           load_lanes(&rows[2][first])};
         };
         const Lanes3 a = corners(0), b = corners(1), c = corners(2);
-        std::uint32_t bits = around.overlapping(min3(a, min3(b, c)), max3(a, max3(b, c)));
+        std::uint32_t bits = around.overlapping(minimum(a, minimum(b, c)), maximum(a, maximum(b, c)));
         for (; bits != 0; bits &= bits - 1)
             near.look_at(tree, number, first + static_cast<std::uint32_t>(std::countr_zero(bits)), q, best);
     }

@@ -9,6 +9,7 @@
 #endif
 
 #include <cstdint>
+#include <cstring>
 
 #include "weft/types.h"
 
@@ -71,6 +72,21 @@ HWY_INLINE Lanes4 either(Mask mask, const Lanes4& yes, const Lanes4& no) {
             hn::IfThenElse(mask, yes.z, no.z), hn::IfThenElse(mask, yes.w, no.w)};
 }
 
+HWY_INLINE Lanes3 minimum(const Lanes3& a, const Lanes3& b) {
+    return {hn::Min(a.x, b.x), hn::Min(a.y, b.y), hn::Min(a.z, b.z)};
+}
+HWY_INLINE Lanes3 maximum(const Lanes3& a, const Lanes3& b) {
+    return {hn::Max(a.x, b.x), hn::Max(a.y, b.y), hn::Max(a.z, b.z)};
+}
+/// A bit for each lane, from the lowest on.
+template <class D = Tag>
+HWY_INLINE std::uint32_t bits_of(hn::Mask<D> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(D(), mask, bytes);
+    std::uint32_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
 HWY_INLINE Lanes set(float value) {
     return hn::Set(Tag(), value);
 }

@@ -198,10 +198,12 @@ void Plate::find_bearings() {
         }
         const Eigen::Vector3d first = fan.free.col(0).normalized();
         Tensors bears(3, 3 - fan.free.cols());
-        if (bears.cols() == 1)
-            bears << first.cross(Eigen::Vector3d(fan.free.col(1))).normalized();
-        else
-            bears << first.unitOrthogonal(), first.cross(first.unitOrthogonal());
+        if (bears.cols() == 1) {
+            bears.col(0) = first.cross(Eigen::Vector3d(fan.free.col(1))).normalized();
+        } else {
+            const Eigen::Vector3d across = first.unitOrthogonal();
+            bears << across, first.cross(across);
+        }
         bearings_.push_back(bears);
     }
 }

@@ -8,7 +8,6 @@
 #endif
 
 #include <bit>
-#include <cstring>
 
 #include "collision/contact/pairs/pair_kernels.h"
 #include "collision/search/boxes-inl.h"
@@ -23,15 +22,6 @@ HWY_INLINE hn::Mask<Tag> overlap(const BoxLanes& a, const BoxLanes& b) {
     const auto y = hn::And(hn::Le(a.lower.y, b.upper.y), hn::Le(b.lower.y, a.upper.y));
     const auto z = hn::And(hn::Le(a.lower.z, b.upper.z), hn::Le(b.lower.z, a.upper.z));
     return hn::And(x, hn::And(y, z));
-}
-
-template <class D = Tag>
-HWY_INLINE std::uint32_t bits_of(hn::Mask<D> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(D(), mask, bytes);
-    std::uint16_t bits;
-    std::memcpy(&bits, bytes, sizeof bits);
-    return bits;
 }
 
 /// One bit for each of sixteen boxes that overlaps `box`.

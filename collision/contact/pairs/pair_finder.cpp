@@ -36,7 +36,7 @@ void PairFinder::Room::add(const ContactMesh& mesh) {
     blocks += (patches + PatchBlock::most - 1) / PatchBlock::most;
 }
 
-void PairFinder::lay_out(Scratch& scratch, const Room& room) {
+void PairFinder::lay_out_boxes(Scratch& scratch, const Room& room) {
     const std::size_t blocks = room.blocks;
     const std::size_t groups = (blocks + 15) / 16;
     scratch.take(bodies_, room.bodies);

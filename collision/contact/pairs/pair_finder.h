@@ -44,7 +44,7 @@ class PairFinder {
     void lay_out_boxes(Scratch& scratch, const Bodies& bodies) {
         Room room;
         for (const auto& body : bodies) room.add(*body.mesh);
-        lay_out(scratch, room);
+        lay_out_boxes(scratch, room);
     }
     void lay_out_pool(Scratch& scratch, std::size_t pairs) {
         pool_.lay_out(scratch, pairs, 2 * blocks_.size());
@@ -121,7 +121,7 @@ class PairFinder {
                     blocks = 0;
         void add(const ContactMesh& mesh);
     };
-    void lay_out(Scratch& scratch, const Room& room);
+    void lay_out_boxes(Scratch& scratch, const Room& room);
     void choose(std::span<const ContactBody> bodies);
     /// Input of a search of the chosen bodies.
     [[nodiscard]] PairSearch search_of(std::span<const Vec4> positions, const Vec4* motions,

@@ -54,7 +54,8 @@ class PairPool {
     std::uint32_t taken_ = 0;           // chunks asked for, by all threads
 };
 
-/// One kind of pairs that a block has found. All are counted; at `enough` the search ends.
+/// A block's pairs of one kind, during a search: all that it finds are counted, and at `enough` the search
+/// for them ends.
 class PairsOfBlock {
   public:
     PairsOfBlock() = default;

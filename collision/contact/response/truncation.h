@@ -83,7 +83,7 @@ class Truncation {
     [[nodiscard]] Ways ways_of(const FeaturePair& pair, const PairShape& shape) const;
     void prepare(Parallel& parallel, const PairList& pairs, std::span<const std::uint8_t> exempt,
                  float floor);
-    /// What the pair is, and the gap that it must keep [m].
+    /// The pair's kind. `kept` becomes the gap that the pair must keep [m].
     [[nodiscard]] Kind kind_of(const FeaturePair& pair, const PairShape& shape, std::uint32_t corners_of_a,
                                float floor, float& kept) const;
     void cut_until_none_fails(Parallel& parallel, const PairList& pairs, std::uint32_t most_sweeps);
