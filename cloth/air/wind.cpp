@@ -36,11 +36,11 @@ HWY_INLINE Lanes3 relative_velocities(const TriangleGroups& groups, std::uint32_
 //   c = |u.N| / (|u| |N|),   |u| n = sign(u.N) |u|^2 / (|u| |N|) N
 // Here 3 u, the sum over the corners, stands for u.
 struct AirOnPlates {
-    explicit AirOnPlates(const Wind& wind)
-        : drag(wind.drag),
-          lift(wind.lift),
-          to_pressure(wind.air_density / 12 / 9),  // rho A / 6, from 2 A and two factors 3 u
-          to_slope(wind.air_density / 6 / 3 * (wind.drag + wind.lift)) {}
+    explicit AirOnPlates(const ClothInAir& cloth)
+        : drag(cloth.drag_scale * cloth.wind->drag),
+          lift(cloth.lift_scale * cloth.wind->lift),
+          to_pressure(cloth.wind->air_density / 12 / 9),  // rho A / 6, from 2 A and two factors 3 u
+          to_slope(cloth.wind->air_density / 6 / 3 * (drag + lift)) {}
 
     /// A third of the force on triangles; w is its slope.
     HWY_INLINE Lanes4 thirds(const Lanes3& normal, const Lanes3& u) const {
@@ -66,7 +66,7 @@ HWY_INLINE Lanes3 mean_wind_on(const ClothInAir& cloth) {
 
 void air_forces_of(const TriangleGroups& groups, const BlockRange& range, const ClothInAir& cloth,
                    Vec4* triangle_rows) {
-    const AirOnPlates air(*cloth.wind);
+    const AirOnPlates air(cloth);
     const Lanes3 mean_wind = mean_wind_on(cloth);
     for (std::uint32_t t = range.begin; t < range.end; t += part_lanes) {
         const Lanes3 normal = unpacked(load_packed(triangle_rows + t));
@@ -93,7 +93,7 @@ HWY_INLINE PackedRows along_slope(const ClothInAir& cloth, std::uint32_t i, cons
 
 void air_forces_of_grid(const GridCells& cells, const BlockRange& tile, const GridWindow& window,
                         const ClothInAir& cloth, Vec4* forces) {
-    const AirOnPlates air(*cloth.wind);
+    const AirOnPlates air(cloth);
     const Lanes3 mean_wind = mean_wind_on(cloth);
     const Vec4 *const positions = cloth.positions.data(), *const velocities = cloth.velocities.data();
     const std::span<const Vec4> air_velocities = cloth.air_velocities;

@@ -15,6 +15,7 @@ namespace weft {
 struct ClothInAir {
     const Wind* wind = nullptr;
     float wind_scale = 1;                   ///< of the mean wind's velocity; `air_velocities` have it already
+    float drag_scale = 1, lift_scale = 1;   ///< of the wind's coefficients
     std::span<const Vec4> air_velocities;   ///< [m/s]; empty: the mean wind blows everywhere
     std::span<const Vec4> positions;        ///< [m]
     std::span<const Vec4> velocities;       ///< at which the air acts [m/s]

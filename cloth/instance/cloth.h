@@ -273,6 +273,8 @@ struct Cloth {
     void drop_contact_mesh() noexcept;
 
     ClothId id{};  ///< in its World; set by its first step
+    /// The garment in whose meshes it is, and its number there: see simulation/garment.h.
+    std::uint32_t garment = ~0u, level = 0;
     ClothModel model;
     ClothSettings settings;
     ClothState state;
@@ -333,6 +335,8 @@ struct Cloth {
     std::optional<Carried> carried;
     /// Its teleport by its frame before the present step.
     std::optional<RigidMotion> jumped;
+    /// Motion of its frame in the present step, by which ClothSettings::max_speed_in_frame is measured.
+    ActingMotion acting;
     std::vector<ColliderMotion> seen_colliders;  ///< colliders' motions relative to the transported cloth
     /// Whether seen_colliders are its colliders in the present step.
     [[nodiscard]] bool sees_own_colliders() const noexcept { return carried || jumped; }

@@ -102,6 +102,29 @@ void jump(Parallel& parallel, const RigidMotion& by, ClothState& state) {
     frame.velocity_change = to_vec3(by.vector(to_vector(frame.velocity_change)));
 }
 
+ActingMotion acting_motion(const FrameState& frame, const FrameInertia& inertia, float dt) {
+    const Eigen::Vector3d from = wide(frame.pose.translation), way = wide(frame.target.translation) - from;
+    const Eigen::AngleAxisd turn(unit_quaternion(frame.target.rotation) *
+                                 unit_quaternion(frame.pose.rotation).conjugate());
+    const double per_second = 1 / static_cast<double>(dt);
+    return {(static_cast<double>(inertia.linear) * per_second * way).cast<float>(),
+            (static_cast<double>(inertia.angular) * per_second * turn.angle() * turn.axis()).cast<float>(),
+            (from + way).cast<float>()};
+}
+
+void limit_speeds(Parallel& parallel, const ActingMotion& of, float max_speed,
+                  std::span<const Vec4> positions, std::span<Vec4> velocities) {
+    parallel.ranges(static_cast<std::uint32_t>(positions.size()), [&](const BlockRange& range) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            if (!(positions[i].w > 0)) continue;
+            const Vector3 common = of.velocity + of.spin.cross(xyz(positions[i]) - of.origin);
+            const Vector3 own = xyz(velocities[i]) - common;
+            const float speed = own.norm();
+            if (speed > max_speed) set_xyz(velocities[i], common + max_speed / speed * own);
+        }
+    });
+}
+
 std::optional<Carried> carry_of(const FrameState& frame, const FrameInertia& inertia, float dt) {
     const auto h = static_cast<double>(dt), s = static_cast<double>(inertia.linear),
                e = static_cast<double>(inertia.angular), c = static_cast<double>(inertia.centrifugal);

@@ -32,6 +32,18 @@ struct Carried {
     bool moves = false;                ///< false: there is the kick alone
 };
 
+/// The part of a frame's motion in a step that acts on its cloth: what the cloth's velocities are measured
+/// by.
+struct ActingMotion {
+    Vector3 velocity = Vector3::Zero();  ///< of the origin [m/s]
+    Vector3 spin = Vector3::Zero();      ///< [1/s]
+    Vector3 origin = Vector3::Zero();    ///< [m]
+};
+[[nodiscard]] ActingMotion acting_motion(const FrameState& frame, const FrameInertia& inertia, float dt);
+/// Clamps the velocities of free particles, less the motion of their place, to the length `max_speed` [m/s].
+void limit_speeds(Parallel& parallel, const ActingMotion& of, float max_speed,
+                  std::span<const Vec4> positions, std::span<Vec4> velocities);
+
 /// The rigid motion of a frame that jumps: one whose way to its target is longer than `distance` [m], or
 /// whose turn is wider than `angle` [rad]; 0: no such limit. None if it does not jump. The motion leaves out
 /// what the frame would have gone on in dt seconds at its last speed, so that pins keep their speed.

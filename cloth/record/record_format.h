@@ -28,7 +28,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "recordings are copied as they lie in memory");
 
 /// Raised with each change of the format below, fields.h included.
-inline constexpr std::uint32_t recording_version = 9;
+inline constexpr std::uint32_t recording_version = 10;
 inline constexpr std::array<char, 8> recording_mark = {'W', 'E', 'F', 'T', 'R', 'E', 'C', 'D'};
 
 struct RecordingHead {

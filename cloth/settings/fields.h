@@ -126,6 +126,9 @@ WEFT_FIELDS_OF(ClothSettings) {
     WEFT_FIELD(teleport_angle, 0, 3.2f);
     WEFT_FIELD(gravity_scale, -10, 10);
     WEFT_FIELD(wind_scale, 0, 10);
+    WEFT_FIELD(drag_scale, 0, 1e3f);
+    WEFT_FIELD(lift_scale, 0, 1e3f);
+    WEFT_FIELD(max_speed_in_frame, 0, 1e4f);
     WEFT_FIELD(filling);
     WEFT_FIELD(key);
 }

@@ -31,6 +31,8 @@ AirForce air_force(const Simulation& world, Cloth& cloth) {
     return {.surface = world.air_is_on() ? &cloth.surface : nullptr,
             .cloth = {.wind = &world.settings.wind,
                       .wind_scale = cloth.settings.wind_scale,
+                      .drag_scale = cloth.settings.drag_scale,
+                      .lift_scale = cloth.settings.lift_scale,
                       .air_velocities = std::as_const(cloth.air.velocities).span(),
                       .positions = std::as_const(cloth.state.positions).span(),
                       .velocities = {},

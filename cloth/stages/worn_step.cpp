@@ -124,8 +124,11 @@ void plan_carries(Simulation& world, float dt) {
     for (Cloth* cloth : world.present) {
         cloth->carried.reset();
         cloth->jumped.reset();
+        cloth->acting = {};
         if (!cloth->state.frame) continue;
         jump_with_frame(world, *cloth, dt);
+        if (cloth->settings.max_speed_in_frame > 0)
+            cloth->acting = acting_motion(*cloth->state.frame, cloth->settings.frame_inertia, dt);
         cloth->carried = carry_of(*cloth->state.frame, cloth->settings.frame_inertia, dt);
         if (!is_moved(*cloth)) continue;
         any = true;

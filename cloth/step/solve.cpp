@@ -260,6 +260,9 @@ void advance(Simulation& world, Worker& worker, Cloth& cloth, const StepEquation
             worker.parallel, colliders_of(worker, cloth), cloth.side(), equation.h, now.positions.span(),
             cloth.scratch_velocities.span(), cloth.partial_counts.span());
     bounce(worker, cloth, equation);
+    if (cloth.settings.max_speed_in_frame > 0)
+        limit_speeds(worker.parallel, cloth.acting, cloth.settings.max_speed_in_frame, now.positions.span(),
+                     cloth.scratch_velocities.span());
     if (!is_first && !colliders_of(worker, cloth).empty()) keep_part_start(worker, cloth);
     weft::advance(worker.parallel, equation,
                   {.solved = std::as_const(cloth.scratch_velocities).span(),

@@ -136,6 +136,14 @@ struct ClothSettings {
     /// Factor of the air's velocity for this cloth, 0 to 10: wind, gusts and sources. The air's force grows
     /// with the square of the velocity. 0: the air stands still for it, and slows it down.
     float wind_scale = 1;
+    /// Factors of Wind::drag and Wind::lift for this cloth, 0 to 1000: below 1 for a loose weave, through
+    /// which air passes. 0 and 0: the air does not act on it.
+    float drag_scale = 1;
+    float lift_scale = 1;
+    /// Limit of its particles' speeds relative to its frame (World::set_frame), or to the World without one
+    /// [m/s], 0 to 1e4: what a sprint or a turn may do to a cape. Pins keep their own speed. 0: only
+    /// WorldSettings::max_speed limits, at no cost.
+    float max_speed_in_frame = 0;
     /// What fills a closed mesh. The default, nothing, has no cost. A mesh that is not closed is refused. A
     /// cut that opens it (World::recut_cloth) bursts the cloth: the filling becomes FillingKind::none.
     Filling filling{};
@@ -223,9 +231,10 @@ struct WorldSettings {
     /// cloths are stepped at less detail than they are set to, the most important ones least so. Multilevel
     /// takes one pass. Cloth without contact of features, frame or skin takes every second step, of twice the
     /// length, through which it moves evenly, unless pins or colliders near it move or the World has bodies.
-    /// Contact is never dropped. Costs are measured, so that bytes depend on time: a recording holds the
-    /// choices, and its replay gives the same bytes. The least detail of all cloths may take longer than the
-    /// budget. Each cloth takes 16 bytes a particle more.
+    /// Contact is never dropped. Garments with levels (World::add_level) then go to coarser meshes. Costs are
+    /// measured, so that bytes depend on time: a recording holds the choices, and its replay gives the same
+    /// bytes. The least detail of all cloths may take longer than the budget. Each cloth takes 16 bytes a
+    /// particle more.
     float budget = 0;
     Executor executor{};  ///< the host's threads in place of Weft's, where `run` is set
 };

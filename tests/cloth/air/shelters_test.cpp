@@ -157,6 +157,29 @@ TEST(WindScale, OfNothingLeavesTheAirStanding) {
     EXPECT_LT(peak_speed(world, cloth), 0.01f);
 }
 
+TEST(DragScale, IsThatOfTheWindItself) {
+    WorldSettings whole = windy(6), scaled = windy(6);
+    scaled.wind.drag *= 0.5f;
+    scaled.wind.lift *= 0.25f;
+    World one = World::create(whole).value(), other = World::create(scaled).value();
+    const ClothId loose = add_banner(one, {}, {.drag_scale = 0.5f, .lift_scale = 0.25f}),
+                  plain = add_banner(other, {});
+    for (int k = 0; k < 60; ++k) {
+        one.step(h);
+        other.step(h);
+    }
+    const auto a = one.cloth(loose)->positions, b = other.cloth(plain)->positions;
+    EXPECT_TRUE(same_bytes({a.begin(), a.end()}, {b.begin(), b.end()}));
+    EXPECT_GT(one.cloth(loose)->bounds.upper.z, 0.1f);
+}
+
+TEST(DragScale, OfNothingLeavesClothAlone) {
+    World world = World::create(windy(15, 0.3f)).value();
+    const ClothId cloth = add_banner(world, {}, {.drag_scale = 0, .lift_scale = 0});
+    for (int k = 0; k < 180; ++k) world.step(h);
+    EXPECT_LT(peak_speed(world, cloth), 0.01f);
+}
+
 TEST(GravityScale, IsThatOfTheFallInAVacuum) {
     for (const float scale : {0.0f, 0.5f, 1.0f, -2.0f}) {
         World world = World::create(vacuum(downwards)).value();

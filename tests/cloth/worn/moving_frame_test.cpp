@@ -259,6 +259,64 @@ TEST(MovingFrame, AcrossOtherClothIsLetApart) {
     static_cast<void>(a);
 }
 
+/// The fastest free particle of a sheet in a frame that is shaken along z at up to 9.4 m/s, and turns if it
+/// is to, relative to the part of that motion that acts on the sheet [m/s].
+float fastest_in_frame(float inertia, float max_speed, bool turns) {
+    World world = World::create(vacuum(downwards)).value();
+    ClothSettings settings;
+    settings.frame_inertia = {inertia, inertia, inertia};
+    settings.max_speed_in_frame = max_speed;
+    const ClothId cloth = world.add_cloth(hanging(9, 8), settings).value();
+    EXPECT_TRUE(world.pin(cloth, std::vector<std::uint32_t>{0, 7}));
+    const auto pose = [&](int step) {
+        const double t = step * static_cast<double>(h);
+        return Transform{.translation = {0, 0, static_cast<float>(0.5 * std::sin(6 * std::numbers::pi * t))},
+                         .rotation = turn({0, 1, 0}, turns ? 6 * t : 0)};
+    };
+    EXPECT_TRUE(world.set_frame(cloth, pose(0)));
+    float fastest = 0;
+    for (int k = 1; k <= 60; ++k) {
+        EXPECT_TRUE(world.set_frame(cloth, pose(k)));
+        for (const std::uint32_t v : {0u, 7u})
+            EXPECT_TRUE(
+                world.move_pin(cloth, v, rigid_motion(pose(k)).point(Vec3{v == 0 ? -0.3f : 0.3f, 0.6f, 0})));
+        world.step(h);
+        const Vector3 origin = to_vector(pose(k).translation);
+        const Vector3 velocity = inertia / h * (origin - to_vector(pose(k - 1).translation));
+        const Vector3 spin = (turns ? 6 * inertia : 0) * Vector3::UnitY();
+        const ClothView& view = world.cloth(cloth).value();
+        for (std::size_t i = 0; i < view.positions.size(); ++i)
+            if (view.positions[i].w > 0)
+                fastest = std::max(fastest, (xyz(view.velocities[i]) - velocity -
+                                             spin.cross(xyz(view.previous_positions[i]) - origin))
+                                                .norm());
+    }
+    return fastest;
+}
+
+TEST(MovingFrame, ASpeedLimitIsRelativeToIt) {
+    for (const bool turns : {false, true})
+        for (const float inertia : {0.0f, 0.5f, 1.0f}) {
+            const float free = fastest_in_frame(inertia, 0, turns);
+            const float limit = 0.3f * free;
+            // In a turning frame places at the start of the step are transported by what does not act.
+            EXPECT_LT(fastest_in_frame(inertia, limit, turns),
+                      turns && inertia < 1 ? 1.5f * limit : 1.001f * limit)
+                << inertia << ", free " << free;
+            EXPECT_NEAR(fastest_in_frame(inertia, 2 * free, turns), free, 1e-3f * free);
+        }
+}
+
+/// Without a frame it is one in the World.
+TEST(MovingFrame, ASpeedLimitOfACloth) {
+    World world = World::create(vacuum(downwards)).value();
+    const ClothId slow = world.add_cloth(hanging(9, 8), {.max_speed_in_frame = 2}).value();
+    const ClothId fast = world.add_cloth(hanging(9, 8)).value();
+    for (int k = 0; k < 60; ++k) world.step(h);
+    for (const Vec4& v : world.cloth(slow)->velocities) EXPECT_NEAR(xyz(v).norm(), 2, 1e-3f);
+    for (const Vec4& v : world.cloth(fast)->velocities) EXPECT_GT(xyz(v).norm(), 8);
+}
+
 TEST(MovingFrame, RefusesWhatIsNoPose) {
     World world = World::create(vacuum()).value();
     const ClothId cloth = world.add_cloth(sheet(4, 4)).value();

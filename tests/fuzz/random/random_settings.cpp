@@ -269,6 +269,9 @@ Drawn<ClothSettings> random_cloth_settings(Random& random, std::uint64_t most_pa
     // No teleports by frames: they take pins along, and a script expects pins where it has moved them.
     if (random.chance(0.2)) s.gravity_scale = random.between(-10, 10);
     if (random.chance(0.2)) s.wind_scale = random.between(0, 10);
+    if (random.chance(0.1)) s.drag_scale = random.between(0, 10);
+    if (random.chance(0.1)) s.lift_scale = random.between(0, 10);
+    if (random.chance(0.1)) s.max_speed_in_frame = random.between(0, 20);
     if (random.chance(0.3)) s.collider_mask = random.below(4);
     if (random.chance(0.1)) s.collider_response = ColliderResponse::velocity_filter;
     if (random.chance(0.2)) s.back_friction_ratio = fields.zero_or_more(1e-2f, 10);

@@ -109,6 +109,7 @@ typedef struct WeftClothSettings {
     WeftFilling filling;
     float back_friction_ratio;
     uint64_t key;
+    float drag_scale, lift_scale, max_speed_in_frame;
 } WeftClothSettings;
 
 // weft/settings.h: AirSource
