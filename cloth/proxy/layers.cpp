@@ -43,26 +43,44 @@ std::vector<std::uint32_t> backs_of(const PlainSurface& surface, float thickness
     return backs;
 }
 
-/// Leaves out, too, what continues a layer that is left out: next to a rim, the rim is nearer than the back.
-void leave_out_to_rims(const PlainSurface& surface, float thickness, std::vector<bool>& kept) {
-    std::vector<std::array<std::uint32_t, 2>> neighbours;
+/// An edge of two triangles.
+struct SharedEdge {
+    std::array<std::uint32_t, 2> triangles;
+    float length;  ///< of the edge [m]
+};
+
+std::vector<SharedEdge> neighbours_of(const PlainSurface& surface) {
+    std::vector<SharedEdge> neighbours;
     const std::vector<Side> sides = sides_by_edge(surface.triangles);
     for (std::size_t s = 0; s < sides.size(); s += sides_of_edge(sides, s).size()) {
         const auto edge = sides_of_edge(sides, s);
-        if (edge.size() == 2) neighbours.push_back({edge[0].triangle, edge[1].triangle});
+        if (edge.size() != 2) continue;
+        const float length = (surface.points[edge[0].high] - surface.points[edge[0].low]).norm();
+        neighbours.push_back({{edge[0].triangle, edge[1].triangle}, length});
     }
+    return neighbours;
+}
+
+/// Way over a rim, from a triangle on one of its sides [m].
+float way_over_rim(const PlainSurface& surface, float thickness, std::uint32_t t) {
+    return 2 * (thickness + std::sqrt(area_of(surface, surface.triangles[t])));
+}
+
+/// Leaves out, too, what continues a layer that is left out: next to a rim, the rim is nearer than the back.
+void leave_out_to_rims(const PlainSurface& surface, const std::vector<SharedEdge>& neighbours,
+                       float thickness, std::vector<bool>& kept) {
     std::vector<std::uint32_t> sources(kept.size(), none);  // for each triangle left out, where that began
     for (std::uint32_t t = 0; t < kept.size(); ++t)
         if (!kept[t]) sources[t] = t;
     for (bool is_done = false; !is_done;) {
         is_done = true;
-        for (const auto& [a, b] : neighbours) {
+        for (const auto& [pair, length] : neighbours) {
+            const auto [a, b] = pair;
             if (kept[a] == kept[b]) continue;
             const std::uint32_t inner = kept[a] ? b : a, next = kept[a] ? a : b;
             const float way = (middle_of(surface, next) - middle_of(surface, sources[inner])).norm();
-            const float size = std::sqrt(area_of(surface, surface.triangles[next]));
             const float alike = normal_of(surface, next).dot(normal_of(surface, inner));
-            if (!(way < 2 * (thickness + size) && alike > 0.7f)) continue;
+            if (!(way < way_over_rim(surface, thickness, next) && alike > 0.7f)) continue;
             kept[next] = false;
             sources[next] = sources[inner];
             is_done = false;
@@ -70,16 +88,48 @@ void leave_out_to_rims(const PlainSurface& surface, float thickness, std::vector
     }
 }
 
-/// Keeps the parts of which too little would be left out for a doubled mesh: the sides of a tight fold lie as
-/// near, and the cloth would be torn where one of them is left out.
-void keep_folded_parts(const PlainSurface& surface, std::vector<bool>& kept) {
-    constexpr float least_share = 0.25f;  // of a part's area
-    const std::vector<std::uint32_t> parts = parts_of(surface, std::vector<bool>(kept.size(), true));
-    std::vector<float> surplus(surface.triangles.size());  // by part: what is left out beyond that share
+/// Keeps the layers that are folded, not doubled: the sides of a tight fold lie as near, and the cloth would
+/// be torn where one of them is left out. A doubled mesh's layer ends at rims, over which its other layer
+/// begins; that of a fold does so at one of its ends, and goes on at the other.
+void keep_folds(const PlainSurface& surface, const std::vector<SharedEdge>& neighbours, float thickness,
+                const std::vector<std::uint32_t>& backs, std::vector<bool>& kept) {
+    std::vector<std::vector<std::uint32_t>> beside(kept.size());
+    for (const auto& [pair, length] : neighbours)
+        for (const std::size_t k : {0, 1}) beside[pair[k]].push_back(pair[1 - k]);
+    std::vector<bool> left_out = kept;
+    left_out.flip();
+    const std::vector<std::uint32_t> layers = parts_of(surface, left_out);
+    const auto is_other_layer = [&](std::uint32_t t, std::uint32_t layer) {
+        return backs[t] != none && !kept[backs[t]] && layers[backs[t]] == layer;
+    };
+    std::vector<std::uint32_t> seen_from(kept.size(), none), near;
+    const auto finds_other_layer = [&](std::uint32_t from, std::uint32_t layer, std::uint32_t search) {
+        const float reach = way_over_rim(surface, thickness, from);
+        near.assign(1, from);
+        seen_from[from] = search;
+        for (std::size_t k = 0; k < near.size(); ++k) {
+            if (is_other_layer(near[k], layer)) return true;
+            for (const std::uint32_t next : beside[near[k]]) {
+                if (!kept[next] || seen_from[next] == search) continue;
+                if ((middle_of(surface, next) - middle_of(surface, from)).norm() > reach) continue;
+                seen_from[next] = search;
+                near.push_back(next);
+            }
+        }
+        return false;
+    };
+    std::vector<float> surplus(
+        kept.size());  // by layer: length of ends that go on, beyond a share of all ends
+    constexpr float share = 0.25f;
+    for (std::uint32_t e = 0; e < neighbours.size(); ++e) {
+        const auto [a, b] = neighbours[e].triangles;
+        if (kept[a] == kept[b]) continue;
+        const std::uint32_t layer = layers[kept[a] ? b : a];
+        const bool goes_on = !finds_other_layer(kept[a] ? a : b, layer, e);
+        surplus[layer] += ((goes_on ? 1.0f : 0.0f) - share) * neighbours[e].length;
+    }
     for (std::size_t t = 0; t < kept.size(); ++t)
-        surplus[parts[t]] += ((kept[t] ? 0 : 1) - least_share) * area_of(surface, surface.triangles[t]);
-    for (std::size_t t = 0; t < kept.size(); ++t)
-        if (surplus[parts[t]] < 0) kept[t] = true;
+        if (surplus[layers[t]] > 0) kept[t] = true;
 }
 
 }  // namespace
@@ -108,8 +158,9 @@ std::vector<bool> outer_layers(const PlainSurface& surface, float thickness) {
         is_inner[layer] =
             back_layers[other] == layer && std::pair(areas[layer], other) < std::pair(areas[other], layer);
     for (std::size_t t = 0; t < kept.size(); ++t) kept[t] = !(is_doubled[t] && is_inner[layers[t]]);
-    leave_out_to_rims(surface, thickness, kept);
-    keep_folded_parts(surface, kept);
+    const std::vector<SharedEdge> neighbours = neighbours_of(surface);
+    leave_out_to_rims(surface, neighbours, thickness, kept);
+    keep_folds(surface, neighbours, thickness, backs, kept);
     return kept;
 }
 
