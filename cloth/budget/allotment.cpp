@@ -56,7 +56,7 @@ void Headroom::add(float ratio) noexcept {
 void Allotment::reserve(std::size_t claims) {
     claims_.reserve(claims);
     reached_.reserve(claims);
-    steps_.reserve(claims * (rung_count - 1));
+    steps_.reserve(claims * (most_garment_levels * rung_count - 1));
 }
 
 void Allotment::allot(float time) {
@@ -66,13 +66,14 @@ void Allotment::allot(float time) {
     for (std::uint32_t c = 0; c < claims_.size(); ++c) {
         const Claim& claim = claims_[c];
         reached_.push_back(claim.last);
-        spent += claim.costs[claim.last];
+        spent += claim.offers[claim.last].cost;
         // A rung cannot be bought before the one below it, so it is worth no more than that one.
         float worth = std::numeric_limits<float>::max();
         for (std::uint32_t from = claim.last; from > claim.first; --from) {
             const std::uint32_t to = from - 1;
-            const float gain = claim.importance * (ladder[from].error - ladder[to].error);
-            const float price = std::max(claim.costs[to] - claim.costs[from], 1e-3f * claim.costs[to]);
+            const Offer &better = claim.offers[to], &worse = claim.offers[from];
+            const float gain = claim.importance * (worse.error - better.error);
+            const float price = std::max(better.cost - worse.cost, 1e-3f * better.cost);
             if (!(gain > 0 && price > 0)) break;
             worth = std::min(worth, (claim.rung <= to ? loyalty : 1.0f) * gain / price);
             steps_.push_back({worth, c, to});
@@ -86,7 +87,7 @@ void Allotment::allot(float time) {
         const Claim& claim = claims_[step.claim];
         if (reached_[step.claim] != step.to + 1) continue;
         const bool has_it = claim.rung <= step.to;
-        const float price = std::max(claim.costs[step.to] - claim.costs[step.to + 1], 0.0f);
+        const float price = std::max(claim.offers[step.to].cost - claim.offers[step.to + 1].cost, 0.0f);
         if (spent + price > (has_it ? time : without_reserve * time)) continue;
         spent += price;
         reached_[step.claim] = step.to;

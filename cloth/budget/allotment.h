@@ -3,6 +3,7 @@
 // for their time are bought first.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,12 +12,18 @@
 
 namespace weft {
 
+/// What a cloth costs on a rung, in the unit of the time, and its error there. Of a garment with levels, the
+/// rungs of the coarser ones follow.
+struct Offer {
+    float cost = 0, error = 0;
+};
+
 /// A cloth that competes for time.
 struct Claim {
-    float importance = 1;                            ///< weight of its error; 0: it stays on its last rung
-    std::array<float, rung_count> costs{};           ///< cost on each rung, in the unit of the time
-    std::uint32_t first = 0, last = rung_count - 1;  ///< rungs that it may be on
-    std::uint32_t rung = 0;                          ///< the present rung; allot() writes the next one
+    float importance = 1;  ///< weight of its error; 0: it stays on its last rung
+    std::array<Offer, std::size_t{most_garment_levels} * rung_count> offers{};  ///< from the best
+    std::uint32_t first = 0, last = 0;                                          ///< rungs that it may be on
+    std::uint32_t rung = 0;  ///< the present rung; allot() writes the next one
 };
 
 class Allotment {

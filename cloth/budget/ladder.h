@@ -18,6 +18,8 @@ struct Rung {
 };
 
 inline constexpr std::uint32_t rung_count = 3;
+/// The most levels of a garment: see simulation/garment.h.
+inline constexpr std::uint32_t most_garment_levels = 4;
 /// All rungs; the first is the cloth as it is set.
 extern const std::array<Rung, rung_count> ladder;
 /// The last rung without long steps.
@@ -29,7 +31,8 @@ inline constexpr std::uint32_t greatest_rate = 2;
 /// A cloth's method in a step of that rung and rate.
 [[nodiscard]] Method reduced(const Method& method, std::uint32_t rung, std::uint32_t rate);
 
-/// The rung on which a step begins to take a cloth.
+/// The rung on which a step begins to take a cloth; or, of a garment, another level than the cloth's, which
+/// takes over after the step: level * rung_count + the rung there.
 struct RungOfCloth {
     ClothId cloth;
     std::uint32_t rung = 0;

@@ -104,6 +104,16 @@ WeftResult weft_world_wake(WeftWorld* world, WeftClothId id) {
 WeftResult weft_world_set_importance(WeftWorld* world, WeftClothId id, float importance) {
     return on(world, [&](weft::World& of) { return of.set_importance(id_of(id), importance); });
 }
+WeftResult weft_world_add_level(WeftWorld* world, WeftClothId finest, WeftClothId coarser, float reach) {
+    return on(world, [&](weft::World& of) { return of.add_level(id_of(finest), id_of(coarser), reach); });
+}
+WeftResult weft_world_set_level(WeftWorld* world, WeftClothId id, std::uint32_t level) {
+    return on(world, [&](weft::World& of) { return of.set_level(id_of(id), level); });
+}
+WeftResult weft_world_level(const WeftWorld* world, WeftClothId id, std::uint32_t* level) {
+    return on(world, {{level, "level"}},
+              [&](const weft::World& of) { return put(of.level(id_of(id)), level); });
+}
 WeftResult weft_world_filling_info(const WeftWorld* world, WeftClothId id, WeftFillingInfo* info) {
     return on(world, [&](const weft::World& of) { return hand("info", of.filling_info(id_of(id)), info); });
 }

@@ -113,6 +113,28 @@ WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* wo
         return {};
     });
 }
+WeftResult weft_drawn_mesh_begin_blend(WeftDrawnMesh* mesh, const WeftWorld* world, WeftClothId cloth,
+                                       const WeftVec4* positions, const WeftVec4* normals) {
+    return on(world, {{mesh, "mesh"}, {positions, "positions"}},
+              [&](const weft::World& of) -> weft::Result<void> {
+                  const auto view = of.cloth(std::bit_cast<weft::ClothId>(cloth));
+                  if (!view) return view.error();
+                  const std::size_t count = mesh->mesh.size();
+                  const auto from = [&](const WeftVec4* rows) {
+                      std::vector<weft::Vec4> read;
+                      for (std::size_t v = 0; rows != nullptr && v < count; ++v)
+                          read.push_back(std::bit_cast<weft::Vec4>(rows[v]));
+                      return read;
+                  };
+                  return mesh->mesh.begin_blend(*view, from(positions), from(normals));
+              });
+}
+WeftResult weft_drawn_mesh_blend(WeftDrawnMesh* mesh, float left) {
+    return guarded([&]() -> weft::Result<void> {
+        if (auto there = are_there({{mesh, "mesh"}}); !there) return there;
+        return mesh->mesh.blend(left);
+    });
+}
 const WeftDrawnBond* weft_drawn_mesh_bonds(const WeftDrawnMesh* mesh) {
     static_assert(sizeof(WeftDrawnBond) == sizeof(weft::DrawnBond));
     static_assert(offsetof(WeftDrawnBond, handedness) == offsetof(weft::DrawnBond, handedness));

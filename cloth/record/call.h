@@ -54,7 +54,9 @@ enum class Call : std::uint32_t {
     restore_cloth,
     restore_cloths,
     resume_cloth,
-    last = resume_cloth,
+    add_level,
+    set_level,
+    last = set_level,
 };
 
 /// The call's name in the interface.
@@ -103,7 +105,9 @@ enum class Call : std::uint32_t {
                                      "unstitch",
                                      "restore_cloth",
                                      "restore_cloths",
-                                     "resume_cloth"};
+                                     "resume_cloth",
+                                     "add_level",
+                                     "set_level"};
     static_assert(std::size(names) == static_cast<std::size_t>(Call::last) + 1);
     return names[static_cast<std::size_t>(call)];
 }

@@ -148,6 +148,13 @@ Result<void> Replayer::change_cloth(Call call, RecordReader& reader) {
         case Call::set_enabled:
             return with<ClothId, bool>(reader,
                                        [&](ClothId id, bool on) { return world.set_enabled(id, on); });
+        case Call::add_level:
+            return with<ClothId, ClothId, float>(reader, [&](ClothId finest, ClothId coarser, float reach) {
+                return world.add_level(finest, coarser, reach);
+            });
+        case Call::set_level:
+            return with<ClothId, std::uint32_t>(
+                reader, [&](ClothId id, std::uint32_t level) { return world.set_level(id, level); });
         case Call::set_importance:
             return with<ClothId, float>(
                 reader, [&](ClothId id, float importance) { return world.set_importance(id, importance); });
@@ -265,8 +272,15 @@ Result<void> Replayer::choose(RecordReader& reader) {
     Simulation& simulation = world_->impl_->simulation;
     for (const RungOfCloth& choice : choices) {
         std::unique_ptr<Cloth>* const cloth = simulation.cloths.find(ids_.find(choice.cloth));
-        if (cloth == nullptr || !(*cloth)->state.detail || choice.rung >= rung_count) return no_such_call();
-        (*cloth)->state.detail->go_to(choice.rung, static_cast<std::uint32_t>(simulation.state.steps) + 1);
+        if (cloth == nullptr || !(*cloth)->state.detail) return no_such_call();
+        const Cloth& of = **cloth;
+        Garment* const garment = of.garment == no_garment ? nullptr : &simulation.garments[of.garment];
+        const std::uint32_t level = choice.rung / rung_count, rung = choice.rung % rung_count;
+        if (level >= (garment == nullptr ? 1 : garment->levels.size())) return no_such_call();
+        if (level == of.level)
+            (*cloth)->state.detail->go_to(rung, static_cast<std::uint32_t>(simulation.state.steps) + 1);
+        else
+            garment->next = {level, rung};
     }
     return {};
 }

@@ -13,6 +13,7 @@
 #include "cloth/instance/cloth.h"
 #include "cloth/instance/group.h"
 #include "cloth/simulation/body_stage.h"
+#include "cloth/simulation/garment.h"
 #include "cloth/simulation/schedule.h"
 #include "cloth/solver/stages.h"
 #include "collision/colliders/collider_contacts.h"
@@ -62,6 +63,7 @@ struct Simulation {
     std::vector<std::unique_ptr<ClothView>> views;
     /// Rows of the seams of `state`, by index of ids; null for those that were removed.
     std::vector<std::unique_ptr<SeamRows>> seam_rows;
+    std::vector<Garment> garments;  ///< in the order of `state.levels`
     WorldState state{SlotMap<ColliderId, ColliderSlot>(new_first_generation())};
     /// Shapes that colliders are instances of. Only calls of the host change them.
     SlotMap<ShapeId, std::unique_ptr<HeldShape>> shapes{new_first_generation()};
@@ -91,11 +93,12 @@ struct Simulation {
                                                                      StillPins pins);
     /// Teleports a cloth by that motion, then each held particle to its place.
     void go_to_holds(Cloth& cloth, const RigidMotion& by, StillPins pins);
-    /// Puts a cloth at rest into a pose given by the mesh's vertices. Precondition: it is within reach.
-    void reset(Cloth& cloth, std::span<const Vec3> positions);
+    /// Puts a cloth at rest into a pose given by the mesh's vertices, with its pins, or all but those. The
+    /// pose is within reach.
+    void reset(Cloth& cloth, std::span<const Vec3> positions, StillPins pins = StillPins::go_along);
     /// The same in motion: with places at the start of the last step, and velocities, of the mesh's vertices.
     void resume(Cloth& cloth, std::span<const Vec3> positions, std::span<const Vec3> previous_positions,
-                std::span<const Vec3> velocities);
+                std::span<const Vec3> velocities, StillPins pins = StillPins::go_along);
     void shift_origin(const Vec3& to);
     /// Frees the memory that cloths share, if the last one was removed.
     void cloth_has_gone() noexcept;
@@ -107,6 +110,19 @@ struct Simulation {
     /// Wakes the cloths that seams join to a cloth.
     void wake_joined(const Cloth& cloth) noexcept;
     [[nodiscard]] SeamInfo info_of(SeamId id) const;
+
+    // Garments of several meshes. See garments.cpp.
+    /// Adds a cloth as the coarsest level, switched off. Precondition: it can be one. Error: its vertices are
+    /// out of the other level's reach, or the other way round.
+    [[nodiscard]] Result<void> add_level(ClothId finest, ClothId coarser, float reach);
+    /// Takes a cloth, and all coarser ones, out of its garment, if it is in one.
+    void drop_level(Cloth& cloth) noexcept;
+    /// Has another level of a garment take over from the present one.
+    void set_level(Garment& garment, std::uint32_t level, std::uint32_t rung);
+    /// The same by the budget's choices of this step, after it.
+    void take_chosen_levels();
+    /// Switches on the levels of a restored state in place of others.
+    void enable_restored_levels() noexcept;
 
     BodyId add_body(const BodySlot& slot);
     void remove_body(BodyId id);

@@ -13,6 +13,8 @@ namespace {
 // Steps that a cloth stays on a rung at least: what one rung has left unsolved, the next would solve at once,
 // visibly. A cloth does not rise soon after it fell, or its rung would oscillate.
 constexpr std::uint32_t steps_to_fall = 4, steps_to_rise = 10;
+// The same before another level of its garment takes over: what is drawn changes, and blends for a while.
+constexpr std::uint32_t steps_to_coarsen = 30, steps_to_refine = 60;
 
 /// A cloth may take long steps where nothing that it meets or wears changes before one ends.
 bool can_stride(const Simulation& world, const Cloth& cloth) {
@@ -20,29 +22,69 @@ bool can_stride(const Simulation& world, const Cloth& cloth) {
            !cloth.worn.has_limits() && cloth.attached.empty() && cloth.seams.empty();
 }
 
+/// The cloth of a level of its garment; that cloth itself, if it is in none.
+const Cloth& level_of(const Simulation& world, const Cloth& cloth, std::uint32_t level) {
+    if (cloth.garment == no_garment) return cloth;
+    return **world.cloths.find(world.garments[cloth.garment].levels[level]);
+}
+
+/// What a cloth costs on each rung; of a level that was never stepped, by its size beside the present one's.
+std::array<float, rung_count> costs_of(const Cloth& level, const Cloth& present) {
+    std::array<float, rung_count> costs = level.budgeted->costs.all();
+    if (&level == &present || level.budgeted->costs.are_measured()) return costs;
+    costs = present.budgeted->costs.all();
+    for (float& cost : costs)
+        cost *=
+            static_cast<float>(level.model.particle_count) / static_cast<float>(present.model.particle_count);
+    return costs;
+}
+
+/// The claim of a cloth whose rungs, and those of each level of its garment, are `rungs`. The error of a
+/// coarser mesh grows with the square of its edges, and is above that of the finest one's last rung.
+Claim claim_of(const Simulation& world, const Cloth& cloth, std::uint32_t rungs) {
+    const bool has_levels = cloth.garment != no_garment;
+    const Garment* const garment = has_levels ? &world.garments[cloth.garment] : nullptr;
+    const std::uint32_t levels = has_levels ? static_cast<std::uint32_t>(garment->levels.size()) : 1;
+    const auto finest = static_cast<float>(level_of(world, cloth, 0).model.particle_count);
+    Claim claim{.importance = cloth.settings.importance * finest};
+    for (std::uint32_t k = 0; k < levels; ++k) {
+        const Cloth& level = level_of(world, cloth, k);
+        const std::array<float, rung_count> costs = costs_of(level, cloth);
+        const float coarse = k == 0 ? 0 : finest / static_cast<float>(level.model.particle_count);
+        for (std::uint32_t r = 0; r < rungs; ++r)
+            claim.offers[k * rungs + r] = {costs[r], coarse + ladder[r].error};
+    }
+    const std::uint32_t end = levels * rungs - 1, best = has_levels ? garment->least * rungs : 0;
+    const DetailState& detail = *cloth.state.detail;
+    claim.rung = cloth.level * rungs + std::min(detail.rung, rungs - 1);
+    const std::uint32_t unchanged = static_cast<std::uint32_t>(world.state.steps) - detail.since;
+    const bool refines = claim.rung % rungs == 0, coarsens = (claim.rung + 1) % rungs == 0;
+    const bool may_rise = unchanged >= (refines ? steps_to_refine : steps_to_rise) && detail.rung < rungs;
+    const bool may_fall = unchanged >= (coarsens ? steps_to_coarsen : steps_to_fall);
+    claim.first = claim.rung - (may_rise && claim.rung > best ? 1 : 0);
+    claim.last = std::min(end, claim.rung + (may_fall ? 1 : 0));
+    return claim;
+}
+
 void choose_rungs(Simulation& world) {
     std::vector<Claim>& claims = world.allotment.claims();
     claims.clear();
-    const auto now = static_cast<std::uint32_t>(world.state.steps);
-    for (const Cloth* cloth : world.present) {
-        const std::uint32_t rung = cloth->state.detail->rung;
-        const std::uint32_t unchanged = now - cloth->state.detail->since;
-        const std::uint32_t last = can_stride(world, *cloth) ? rung_count - 1 : last_of_rate_1;
-        claims.push_back(
-            {.importance = cloth->settings.importance * static_cast<float>(cloth->model.particle_count),
-             .costs = cloth->budgeted->costs.all(),
-             .first = std::min(last, rung - (unchanged >= steps_to_rise && rung > 0 ? 1 : 0)),
-             .last = std::min(last, rung + (unchanged >= steps_to_fall ? 1 : 0)),
-             .rung = rung});
-    }
+    const auto rungs_of = [&](const Cloth& cloth) {
+        return can_stride(world, cloth) ? rung_count : last_of_rate_1 + 1;
+    };
+    for (const Cloth* cloth : world.present) claims.push_back(claim_of(world, *cloth, rungs_of(*cloth)));
     world.allotment.allot(world.headroom.within(1e6f * world.settings.budget) / world.overhead);
     for (std::size_t i = 0; i < world.present.size(); ++i) {
         Cloth& cloth = *world.present[i];
-        const std::uint32_t rung = claims[i].rung;
-        if (rung == cloth.state.detail->rung) continue;
-        cloth.state.detail->go_to(rung, now);
-        cloth.budgeted->costs.change_rung();
-        world.choices.push_back({cloth.id, rung});
+        const std::uint32_t level = claims[i].rung / rungs_of(cloth), rung = claims[i].rung % rungs_of(cloth);
+        if (level == cloth.level) {
+            if (rung == cloth.state.detail->rung) continue;
+            cloth.state.detail->go_to(rung, static_cast<std::uint32_t>(world.state.steps));
+            cloth.budgeted->costs.change_rung();
+        } else {
+            world.garments[cloth.garment].next = {level, rung};
+        }
+        world.choices.push_back({cloth.id, level * rung_count + rung});
     }
 }
 

@@ -143,6 +143,7 @@ struct WorldState {
     SlotMap<ColliderId, ColliderSlot> colliders;
     SlotMap<BodyId, BodySlot> bodies{new_first_generation()};
     SlotMap<SeamId, SeamState> seams{new_first_generation()};
+    std::vector<std::uint32_t> levels;  ///< which mesh of each garment is stepped, 0 the finest
 };
 
 template <class Pins, class Visit>
@@ -242,6 +243,7 @@ void for_each_part(State& state, const Visit& visit) {
     });
     state.bodies.for_each([&](BodyId, auto& slot) { visit(std::span(&slot.state, 1)); });
     state.seams.for_each([&](SeamId, auto& seam) { visit(std::span(seam.holds)); });
+    if (!state.levels.empty()) visit(std::span(state.levels));
 }
 
 }  // namespace weft

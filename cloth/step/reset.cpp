@@ -6,11 +6,15 @@
 
 namespace weft {
 
-void Simulation::reset(Cloth& cloth, std::span<const Vec3> positions) {
+void Simulation::reset(Cloth& cloth, std::span<const Vec3> positions, StillPins pins) {
     ClothState& now = cloth.state;
     for (std::size_t v = 0; v < positions.size(); ++v)
         set_xyz(now.positions[cloth.model.vertex_to_particle[v]], to_vector(positions[v]));
-    for (Pin& pin : now.pins) pin.target = xyz(now.positions[pin.particle]);
+    for (Pin& pin : now.pins)
+        if (pins == StillPins::go_along)
+            pin.target = xyz(now.positions[pin.particle]);
+        else
+            set_xyz(now.positions[pin.particle], pin.target);
     for (const Attachment& attached : cloth.attached) {
         const BodySlot* const body = state.bodies.find(attached.id);
         if (body != nullptr && now.positions[attached.particle].w > 0)
@@ -28,8 +32,9 @@ void Simulation::reset(Cloth& cloth, std::span<const Vec3> positions) {
 }
 
 void Simulation::resume(Cloth& cloth, std::span<const Vec3> positions,
-                        std::span<const Vec3> previous_positions, std::span<const Vec3> velocities) {
-    reset(cloth, positions);
+                        std::span<const Vec3> previous_positions, std::span<const Vec3> velocities,
+                        StillPins pins) {
+    reset(cloth, positions, pins);
     ClothState& now = cloth.state;
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const std::uint32_t i = cloth.model.vertex_to_particle[v];

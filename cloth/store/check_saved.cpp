@@ -193,8 +193,8 @@ Result<void> check_tangles(const std::string& name, const ClothState& here, cons
 
 }  // namespace
 
-Result<void> check_world_part(const WorldState& here, const SaveReader& reader) {
-    WorldState read = here;
+Result<void> check_world_part(const Simulation& here, const SaveReader& reader) {
+    WorldState read = here.state;
     for_each_part(read, reader);
     bool sound = std::isfinite(read.time);
     for (const double way : read.wind_path) sound = sound && std::isfinite(way);
@@ -216,6 +216,9 @@ Result<void> check_world_part(const WorldState& here, const SaveReader& reader) 
     read.seams.for_each([&](SeamId, const SeamState& seam) {
         check(std::ranges::all_of(seam.holds, [](std::uint32_t holds) { return holds <= 1; }), "its seam ");
     });
+    number = 0;
+    for (const std::uint32_t level : read.levels)
+        check(level < here.garments[number].levels.size(), "the level of its garment ");
     return checked;
 }
 

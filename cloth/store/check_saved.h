@@ -13,7 +13,7 @@
 namespace weft {
 
 /// Checks the World's own part. Precondition: all bytes of that part are there.
-[[nodiscard]] Result<void> check_world_part(const WorldState& here, const SaveReader& reader);
+[[nodiscard]] Result<void> check_world_part(const Simulation& here, const SaveReader& reader);
 /// Checks the part of a deformed shape, which follows its head.
 [[nodiscard]] Result<void> check_shape_part(std::size_t number, const ShapeHead& head,
                                             const SaveReader& reader);

@@ -73,6 +73,7 @@ SaveHead head_of(const Simulation& simulation) {
             .deformable = deformable_of(simulation),
             .seams = static_cast<std::uint32_t>(simulation.state.seams.size()),
             .sewn = sewn_of(simulation),
+            .garments = simulation.garments.size(),
             .before_cloths = before.bytes(),
             .bytes = save_size(simulation)};
 }
@@ -103,6 +104,9 @@ Result<void> check_world(const SaveHead& head, const Simulation& simulation) {
     if (head.seams != here.seams)
         return other_world("it has " + std::to_string(head.seams) + " seams, this one has " +
                            std::to_string(here.seams));
+    if (head.garments != here.garments)
+        return other_world("it has " + std::to_string(head.garments) +
+                           " garments with levels, this one has " + std::to_string(here.garments));
     if (head.sewn != here.sewn) return other_world("its seams join other vertices, or are in another order");
     return {};
 }
@@ -195,7 +199,7 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
     for_each_part(std::as_const(simulation.state), of_world);
     const SaveReader reader(saved.subspan(sizeof(SaveHead)));
     if (auto there = check_left(reader, of_world.bytes()); !there) return there;
-    if (auto sound = check_world_part(simulation.state, reader.after(0)); !sound) return sound;
+    if (auto sound = check_world_part(simulation, reader.after(0)); !sound) return sound;
     const SaveReader ahead = reader.after(of_world.bytes());
     const auto deformations = prepare_shapes(simulation, ahead);
     if (!deformations) return deformations.error();
@@ -207,6 +211,7 @@ Result<void> restore(Simulation& simulation, std::span<const std::byte> saved) {
 
     // From here on nothing can fail.
     for_each_part(simulation.state, reader);
+    simulation.enable_restored_levels();
     auto of_shape = deformations->begin();
     simulation.shapes.for_each([&](ShapeId, std::unique_ptr<HeldShape>& shape) {
         shape->put_back({of_shape->vertices, of_shape->displacements, of_shape->step});

@@ -19,7 +19,7 @@ namespace weft {
 static_assert(std::endian::native == std::endian::little, "saves are copied as they lie in memory");
 
 /// Raised with each change of the format behind the head.
-inline constexpr std::uint32_t save_version = 12;
+inline constexpr std::uint32_t save_version = 13;
 inline constexpr std::array<char, 8> save_mark = {'W', 'E', 'F', 'T', 'S', 'A', 'V', 'E'};
 /// Mark of a save of one cloth: a head, and the cloth's head and part.
 inline constexpr std::array<char, 8> cloth_mark = {'W', 'E', 'F', 'T', 'C', 'L', 'T', 'H'};
@@ -36,6 +36,7 @@ struct SaveHead {
     std::uint32_t deformable = 0;  ///< vertices of all shapes
     std::uint32_t seams = 0;
     std::uint32_t sewn = 0;           ///< hash of what the seams join, see sewn_of()
+    std::uint64_t garments = 0;       ///< of several meshes
     std::uint64_t before_cloths = 0;  ///< bytes between this head and that of the first cloth
     std::uint64_t bytes = 0;          ///< of the whole save
     std::uint64_t hash = 0;           ///< of all behind the head

@@ -4,22 +4,35 @@
 #include <vector>
 
 #include "cloth/surface/drawn_bonds.h"
+#include "cloth/surface/surface_state.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/vector.h"
 
 namespace weft {
 
-namespace {
-
-std::vector<Vec3> places_of(const DrawnMesh& bonds, const ClothView& cloth) {
-    std::vector<Vec4> written(bonds.size());
-    bonds.update(cloth, {.positions = written});
-    std::vector<Vec3> places;
-    for (const Vec4& p : written) places.push_back({p.x, p.y, p.z});
-    return places;
+void SurfaceState::reserve(std::size_t vertices) {
+    drawn.reserve(vertices);
+    for (std::vector<Vec3>* list : {&positions, &previous_positions, &velocities}) list->reserve(vertices);
 }
 
-}  // namespace
+void SurfaceState::carry(const ClothView& from, const DrawnMesh& bonds) {
+    ClothView before = from;
+    before.positions = from.previous_positions;
+    drawn.resize(bonds.size());
+    const auto write = [&](const ClothView& cloth, std::vector<Vec3>& to) {
+        bonds.update(cloth, {.positions = drawn});
+        to.clear();
+        for (const Vec4& p : drawn) to.push_back({p.x, p.y, p.z});
+    };
+    write(from, positions);
+    write(before, previous_positions);
+    velocities.clear();
+    for (const DrawnBond& bond : bonds.bonds()) {
+        const auto velocity = [&](std::size_t c) { return xyz(from.velocities[bond.particles[c]]); };
+        velocities.push_back(to_vec3((1 - bond.second - bond.third) * velocity(0) +
+                                     bond.second * velocity(1) + bond.third * velocity(2)));
+    }
+}
 
 Result<void> carry_state(World& world, ClothId from, ClothId to, const DrawnMesh& bonds) {
     return without_exceptions([&]() -> Result<void> {
@@ -34,15 +47,9 @@ Result<void> carry_state(World& world, ClothId from, ClothId to, const DrawnMesh
             return Error{ErrorCode::invalid_argument, "the bonds are of " + std::to_string(bonds.size()) +
                                                           " vertices; the mesh of the cloth `to` has " +
                                                           std::to_string(next->vertex_to_particle.size())};
-        ClothView before = *old;
-        before.positions = old->previous_positions;
-        std::vector<Vec3> velocities;
-        for (const DrawnBond& bond : bonds.bonds()) {
-            const auto velocity = [&](std::size_t c) { return xyz(old->velocities[bond.particles[c]]); };
-            velocities.push_back(to_vec3((1 - bond.second - bond.third) * velocity(0) +
-                                         bond.second * velocity(1) + bond.third * velocity(2)));
-        }
-        return world.resume_cloth(to, places_of(bonds, *old), places_of(bonds, before), velocities);
+        SurfaceState carried;
+        carried.carry(*old, bonds);
+        return world.resume_cloth(to, carried.positions, carried.previous_positions, carried.velocities);
     });
 }
 

@@ -20,6 +20,12 @@ struct BoundMesh {
 
 struct WEFT_LOCAL DrawnMesh::Bonds {
     std::vector<DrawnBond> of_vertex;
+    /// While a blend lasts: the bonds as they were bound, and as the blend began. Otherwise both are empty.
+    std::vector<DrawnBond> own, start;
+
+    [[nodiscard]] const std::vector<DrawnBond>& without_blend() const {
+        return own.empty() ? of_vertex : own;
+    }
     float rounding = 0;
     BoundMesh mesh;
 };

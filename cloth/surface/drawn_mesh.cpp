@@ -121,6 +121,13 @@ VertexAxes axes_of(const DrawnSurface& surface) {
     return axes;
 }
 
+/// unit_or() of components in a frame.
+std::array<float, 3> unit_or(const std::array<float, 3>& v, const std::array<float, 3>& otherwise) {
+    const Vector3 unit =
+        unit_or(Vector3(v[0], v[1], v[2]), Vector3(otherwise[0], otherwise[1], otherwise[2]));
+    return {unit.x(), unit.y(), unit.z()};
+}
+
 std::array<float, 3> in_frame(const Matrix3& frame, const Vector3& v) {
     const Vector3 local = frame.transpose() * v;
     return {local.x(), local.y(), local.z()};
@@ -221,6 +228,58 @@ std::span<const DrawnBond> DrawnMesh::bonds() const noexcept {
 
 float DrawnMesh::rounding() const noexcept {
     return bonds_->rounding;
+}
+
+Result<void> DrawnMesh::begin_blend(const ClothView& cloth, std::span<const Vec4> positions,
+                                    std::span<const Vec4> normals) {
+    return without_exceptions([&]() -> Result<void> {
+        if (bonds_->mesh != BoundMesh(cloth))
+            return Error{ErrorCode::invalid_argument, "the cloth has another mesh than was bound to"};
+        if (positions.size() != size() || (!normals.empty() && normals.size() != size()))
+            return Error{ErrorCode::invalid_argument,
+                         std::to_string(positions.size()) + " positions and " +
+                             std::to_string(normals.size()) + " normals; the drawn mesh has " +
+                             std::to_string(size()) + " vertices: give one each"};
+        for (std::size_t v = 0; v < size(); ++v) {
+            if (!is_finite(to_vec3(xyz(positions[v])))) return bad_vertex(v, "is not finite");
+            if (!normals.empty() && !is_finite(to_vec3(xyz(normals[v]))))
+                return bad_vertex(v, "has a normal that is not finite");
+        }
+        std::vector<DrawnBond> own = bonds_->without_blend(), start = own;
+        for (std::size_t v = 0; v < size(); ++v) {
+            DrawnBond& bond = start[v];
+            const SurfacePoint at =
+                surface_point(cloth, bond.particles, bond.second, bond.third, bonds_->rounding);
+            bond.offset = in_frame(at.frame, xyz(positions[v]) - at.position);
+            if (!normals.empty()) bond.normal = unit_or(in_frame(at.frame, xyz(normals[v])), bond.normal);
+        }
+        bonds_->of_vertex = start;
+        bonds_->own = std::move(own);
+        bonds_->start = std::move(start);
+        return {};
+    });
+}
+
+Result<void> DrawnMesh::blend(float left) {
+    return without_exceptions([&]() -> Result<void> {
+        if (!(left >= 0 && left <= 1))
+            return out_of_range("left", static_cast<double>(left), "it must be from 0 to 1");
+        for (std::size_t v = 0; v < bonds_->own.size(); ++v) {
+            const DrawnBond &own = bonds_->own[v], &start = bonds_->start[v];
+            DrawnBond& bond = bonds_->of_vertex[v];
+            const auto between = [&](const std::array<float, 3>& from, const std::array<float, 3>& to) {
+                return std::array{(1 - left) * from[0] + left * to[0], (1 - left) * from[1] + left * to[1],
+                                  (1 - left) * from[2] + left * to[2]};
+            };
+            bond.offset = between(own.offset, start.offset);
+            bond.normal = unit_or(between(own.normal, start.normal), own.normal);
+        }
+        if (left > 0 || bonds_->own.empty()) return {};
+        bonds_->of_vertex = std::move(bonds_->own);
+        bonds_->own = {};
+        bonds_->start = {};
+        return {};
+    });
 }
 
 void DrawnMesh::update(const ClothView& cloth, const DrawnVertices& to, std::size_t first,

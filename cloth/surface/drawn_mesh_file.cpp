@@ -110,7 +110,7 @@ Result<void> DrawnMesh::save(std::span<std::byte> to) const {
         head.rounding = std::bit_cast<std::uint32_t>(bonds_->rounding);
         head.mesh_hash = bonds_->mesh.hash;
         head.vertices = size();
-        const auto bonds = std::as_bytes(std::span(bonds_->of_vertex));
+        const auto bonds = std::as_bytes(std::span(bonds_->without_blend()));
         head.hash = hash_of(head, bonds);
         std::memcpy(to.data(), &head, sizeof head);
         std::ranges::copy(bonds, to.begin() + sizeof head);

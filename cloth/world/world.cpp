@@ -75,6 +75,11 @@ template <class Apply>
 Result<void> enable(Simulation& simulation, Cloth& cloth, bool on, const Apply& apply) {
     std::optional<RigidMotion> motion;
     if (on && !cloth.settings.enabled) {
+        if (cloth.garment != no_garment && simulation.state.levels[cloth.garment] != cloth.level)
+            return Error{ErrorCode::invalid_argument,
+                         "the cloth is level " + std::to_string(cloth.level) +
+                             " of a garment, which is at level " +
+                             std::to_string(simulation.state.levels[cloth.garment]) + "; call set_level"};
         auto found = simulation.motion_to_holds(cloth, cloth.state.skin, StillPins::stay);
         if (!found) return found.error();
         motion = *found;
@@ -141,6 +146,7 @@ Result<void> World::remove_cloth(ClothId id) {
         for (const SeamRows* seam : (*cloth)->seams) seams.push_back(seam->id());
         simulation.remove_seams(seams);
         simulation.wake_near(**cloth);
+        simulation.drop_level(**cloth);
         simulation.cloths.erase(id);
         *simulation.views[id.index] = {};
         simulation.cloth_has_gone();

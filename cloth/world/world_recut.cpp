@@ -101,6 +101,7 @@ void Simulation::replace(ClothId id, std::unique_ptr<Cloth>&& next) {
     Room room = make_room({&newcomer, 1}, parallel.width());
 
     // From here on nothing can fail.
+    drop_level(*place);
     if (next->model.fingerprint != place->model.fingerprint) wake_near(*place);
     next->id = place->id;
     update_normals(parallel, *next);

@@ -47,6 +47,10 @@ Result<SeamState> make_seam(const Simulation& simulation, std::array<ClothId, 2>
         const std::unique_ptr<Cloth>* const found = simulation.cloths.find(ids[side]);
         if (found == nullptr) return stale_id("ClothId", ids[side]);
         if (auto valid = validate_for_seams((*found)->settings); !valid) return valid.error();
+        if ((*found)->garment != no_garment)
+            return Error{ErrorCode::invalid_argument,
+                         "the cloth is a level of a garment, and would hold others while it waits; stitch "
+                         "cloth without levels"};
         for (std::size_t k = 0; k < count; ++k) {
             const auto particle = particle_of(**found, vertices[side][k]);
             if (!particle) return at_stitch(k, particle.error().message);

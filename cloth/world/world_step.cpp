@@ -49,6 +49,7 @@ void World::Impl::take_step() noexcept {
 
 void World::Impl::end_step() noexcept {
     has_changed = true;
+    simulation.take_chosen_levels();
     if (recorder) recorder->note_step(dt, simulation);
     log_flags();
 }

@@ -192,6 +192,23 @@ TEST(SewnCushion, TakesNoMemoryAndHasTheSameBytesOnAnyThreads) {
     }
 }
 
+/// A budget that nothing fits takes a garment to its coarser mesh in some step.
+TEST(GarmentLevels, TakeNoMemoryWhereABudgetChangesThem) {
+    World world = World::create({.threads = 1, .budget = 1e-4f}).value();
+    const ClothId fine = world.add_cloth(make_sheet({.rows = 17, .columns = 17}).value()).value();
+    const ClothId coarse = world.add_cloth(make_sheet({.rows = 9, .columns = 9}).value()).value();
+    for (const ClothId cloth : {fine, coarse}) ASSERT_TRUE(world.pin(cloth, 0));
+    ASSERT_TRUE(world.add_level(fine, coarse));
+    std::uint64_t allocations = 0;
+    for (int step = 0; step < 90; ++step) {
+        const std::uint64_t before = allocation_count();
+        world.step(1.0f / 60);
+        allocations += allocation_count() - before;
+    }
+    EXPECT_EQ(world.level(fine).value(), 1u);
+    EXPECT_EQ(allocations, 0u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, MethodAllocation, testing::ValuesIn(test::method_cases()),
                          [](const auto& info) { return info.param.name; });
 

@@ -548,5 +548,32 @@ TEST(OutOfMemoryInErrors, IsAnErrorToo) {
     EXPECT_EQ(scene.look(), made.look());
 }
 
+TEST(OutOfMemoryOfLevels, ChangesNothing) {
+    for (const MemoryRunsOut::For how_long : {MemoryRunsOut::For::one, MemoryRunsOut::For::good}) {
+        bool ran_out = true;
+        for (std::uint64_t allowed = 0; ran_out && allowed < most_allocations;
+             allowed = next_tried(allowed)) {
+            World world = World::create({.threads = 1}).value();
+            const ClothId fine = world.add_cloth(make_sheet({.rows = 9, .columns = 9}).value()).value();
+            const ClothId coarse = world.add_cloth(make_sheet({.rows = 5, .columns = 5}).value()).value();
+            const std::uint64_t before = world.state_hash();
+            Answer answer;
+            {
+                const MemoryRunsOut memory(allowed, how_long);
+                answer = world.add_level(fine, coarse);
+                ran_out = memory.happened();
+            }
+            if (!answer) {
+                EXPECT_EQ(answer.error().code, ErrorCode::out_of_memory);
+                EXPECT_EQ(world.state_hash(), before);
+                EXPECT_TRUE(world.cloth_settings(coarse)->enabled);
+                EXPECT_TRUE(world.add_level(fine, coarse));
+            }
+            EXPECT_TRUE(world.set_level(fine, 1));
+        }
+        EXPECT_FALSE(ran_out) << "it never ends";
+    }
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -97,12 +97,25 @@ class WEFT_API DrawnMesh {
     void update(const ClothView& cloth, const DrawnVertices& to, std::size_t first = 0,
                 std::size_t count = SIZE_MAX) const noexcept;
 
+    /// Begins a blend from what another mesh of the garment has drawn last, so that nothing jumps where this
+    /// one takes over (World::set_level, carry_state()): update() writes these places and normals for the
+    /// present state of `cloth`. The difference turns with the cloth's triangles, and blend() takes it away.
+    /// A blend begins from any, and takes 128 bytes a vertex until it ends. Errors, by which nothing changes:
+    /// other numbers than one position and one normal a vertex (normals may be left out), one that is not
+    /// finite; a cloth of another mesh than was bound to.
+    Result<void> begin_blend(const ClothView& cloth, std::span<const Vec4> positions,
+                             std::span<const Vec4> normals = {});
+    /// Sets the part of the difference that is left, 1 as at begin_blend(): call it once a step with less,
+    /// over a quarter of a second. 0 ends the blend. It takes no memory, and nothing happens without a blend.
+    /// bonds() follow. Error: a part that is not from 0 to 1.
+    Result<void> blend(float left);
+
     /// Returns the bonds, one a vertex; the span holds until the DrawnMesh is gone.
     [[nodiscard]] std::span<const DrawnBond> bonds() const noexcept;
     [[nodiscard]] float rounding() const noexcept;  ///< DrawnMeshSettings::rounding of the binding
 
     /// Number of bytes that save() writes: 64 a vertex, and 64. They are little-endian, with a version and a
-    /// checksum.
+    /// checksum. Of a blend nothing is saved.
     [[nodiscard]] std::size_t save_size() const noexcept;
     /// Error: `to` has another size than save_size().
     Result<void> save(std::span<std::byte> to) const;

@@ -148,6 +148,10 @@ WEFT_API WeftResult weft_world_set_enabled(WeftWorld* world, WeftClothId id, Wef
 WEFT_API WeftResult weft_world_is_asleep(const WeftWorld* world, WeftClothId id, WeftBool* asleep);
 WEFT_API WeftResult weft_world_wake(WeftWorld* world, WeftClothId id);
 WEFT_API WeftResult weft_world_set_importance(WeftWorld* world, WeftClothId id, float importance);
+WEFT_API WeftResult weft_world_add_level(WeftWorld* world, WeftClothId finest, WeftClothId coarser,
+                                         float reach);
+WEFT_API WeftResult weft_world_set_level(WeftWorld* world, WeftClothId id, uint32_t level);
+WEFT_API WeftResult weft_world_level(const WeftWorld* world, WeftClothId id, uint32_t* level);
 WEFT_API WeftResult weft_world_filling_info(const WeftWorld* world, WeftClothId id, WeftFillingInfo* info);
 WEFT_API WeftResult weft_world_cloth_info(const WeftWorld* world, WeftClothId id, WeftClothInfo* info);
 WEFT_API WeftResult weft_world_cloth(const WeftWorld* world, WeftClothId id, WeftClothView* view);
@@ -258,6 +262,11 @@ WEFT_API WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const Weft
                                            WeftClothId cloth, WeftVec4* positions, WeftVec4* normals,
                                            WeftVec4* tangents, size_t first, size_t count);
 // Returns the bonds, one a vertex, which hold until the mesh is destroyed; null: no mesh.
+// One position and one normal a vertex; normals may be null.
+WEFT_API WeftResult weft_drawn_mesh_begin_blend(WeftDrawnMesh* mesh, const WeftWorld* world,
+                                                WeftClothId cloth, const WeftVec4* positions,
+                                                const WeftVec4* normals);
+WEFT_API WeftResult weft_drawn_mesh_blend(WeftDrawnMesh* mesh, float left);
 WEFT_API const WeftDrawnBond* weft_drawn_mesh_bonds(const WeftDrawnMesh* mesh);
 WEFT_API float weft_drawn_mesh_rounding(const WeftDrawnMesh* mesh);
 WEFT_API size_t weft_drawn_mesh_save_size(const WeftDrawnMesh* mesh);

@@ -133,6 +133,27 @@ class WEFT_API World {
     Result<void> wake(ClothId id);
     /// Sets ClothSettings::importance, at no cost: once a frame, for WorldSettings::budget.
     Result<void> set_importance(ClothId id, float importance);
+    /// Makes a cloth the next coarser level of a garment, whose finest mesh is `finest`: level 1, or behind
+    /// those that were added before, up to level 3. One level is stepped; the others wait, switched off, at
+    /// the cost of their memory. Both cloths must lie in one pose now, every vertex of each within `reach`
+    /// [m] of the other's surface: later the one that takes over gets places, velocities and the places
+    /// before the last step from the other's surface. Its pins go to their own targets: move pins, skin and
+    /// frame of all levels alike. Momentum changes by less than 2 % of mass times root mean square speed;
+    /// folds that the coarser mesh cannot have are lost, and DrawnMesh::begin_blend() hides it. Removing or
+    /// cutting a level takes it and all coarser ones out of the garment. Errors, by which nothing changes: a
+    /// stale id; as many particles as the level above, or more; a fifth level; a cloth that is a level
+    /// already, or has seams; vertices out of reach, or a reach that is not above 0 to 10 m.
+    Result<void> add_level(ClothId finest, ClothId coarser, float reach = 0.1f);
+    /// Sets the level that is stepped, of the garment that the cloth belongs to: by distance, between steps,
+    /// before pins, skins and frames are moved. With WorldSettings::budget it is the finest level allowed:
+    /// where time is short, garments that count least (ClothSettings::importance of the level that is
+    /// stepped) go to coarser levels after a step, and back when there has been time for a second. A
+    /// garment that is switched off (set_enabled of the level that is stepped) stays off. Takes no memory.
+    /// Error: a level that the garment does not have; cloth without levels has level 0 alone.
+    Result<void> set_level(ClothId id, std::uint32_t level);
+    /// The level that is stepped, 0 the finest: whose cloth to draw. It may change in each step with a
+    /// budget.
+    [[nodiscard]] Result<std::uint32_t> level(ClothId id) const;
     [[nodiscard]] Result<ClothInfo> cloth_info(ClothId id) const;
     /// Returns the cloth's buffers. The World owns the view, so that a loop over world.cloth(id)->positions
     /// is sound; the next call for the same cloth overwrites it. When the cloth is removed the view becomes

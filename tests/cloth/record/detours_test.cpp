@@ -43,6 +43,17 @@ struct Scene {
                   world.add_cloth(cloth_mesh(grid, 0.52f), meets).value(),
                   world.add_cloth(cloth_mesh(grid, 2), worn).value(),
                   world.add_cloth(cloth_mesh(grid, 4), calm).value()};
+        coarse = world
+                     .add_cloth(make_sheet({.rows = 3,
+                                            .columns = 3,
+                                            .origin = {-0.25f, 2, -0.2f},
+                                            .u = {0.5f, 0, 0},
+                                            .v = {0.03f, 0.02f, 0.4f}})
+                                    .value(),
+                                worn)
+                     .value();
+        EXPECT_TRUE(world.set_frame(coarse, {}));
+        EXPECT_TRUE(world.add_level(cloths[2], coarse));
         EXPECT_TRUE(world.pin(cloths[0], std::vector<std::uint32_t>{0, 5}));
         EXPECT_TRUE(world.pin(cloths[2], std::vector<std::uint32_t>{0, 5}));
         EXPECT_TRUE(world.set_map(cloths[2], Map::leash, std::vector<float>(30, 0.2f)));
@@ -72,6 +83,7 @@ struct Scene {
     bool grid;
     World world;
     std::vector<ClothId> cloths;
+    ClothId coarse;  ///< another level of the third
     std::vector<ShapeId> shapes;
     std::vector<ColliderId> colliders;
     std::vector<BodyId> bodies;
@@ -162,6 +174,8 @@ std::vector<NamedCall> calls() {
              const auto pose = cloth_mesh(s.grid, 1.4f).positions;
              (void)s.world.resume_cloth(s.cloths[1], pose, pose, pose);
          }},
+        {"set_level", [](Scene& s) { (void)s.world.set_level(s.cloths[2], 1); }},
+        {"set_level back", [](Scene& s) { (void)s.world.set_level(s.cloths[2], 0); }},
         {"set_frame",
          [](Scene& s) {
              (void)s.world.set_frame(s.cloths[2], {{0.1f, 0, 0.05f}, {0, 0.1f, 0, 0.995f}});

@@ -104,6 +104,9 @@ struct EveryCall {
                   world.add_cloth(small_sheet(2.5f), limits).value()};
         const CookedCloth cooked = CookedCloth::create(small_sheet(3.5f), fibres).value();
         cloths.push_back(world.add_cloth(cooked, {.translation = {0, 0.1f, 0}}).value());
+        for (const std::uint32_t side : {9u, 5u})
+            cloths.push_back(world.add_cloth(small_sheet(5.5f, side)).value());
+        EXPECT_TRUE(world.add_level(cloths[5], cloths[6]));
         EXPECT_TRUE(world.pin(cloths[0], std::vector<std::uint32_t>{0, 8}));
         EXPECT_TRUE(world.pin(cloths[2], 4));
         const std::array<Vec3, 4> corners{{{0, 0, 0}, {0.2f, 0, 0}, {0, 0.2f, 0}, {0, 0, 0.2f}}};
@@ -156,6 +159,7 @@ struct EveryCall {
         EXPECT_TRUE(world.set_enabled(cloths[3], false));
         EXPECT_TRUE(world.wake(cloths[1]));
         EXPECT_TRUE(world.set_importance(cloths[1], 2));
+        EXPECT_TRUE(world.set_level(cloths[5], 1));
         EXPECT_TRUE(world.unpin(cloths[0], 8));
         const std::vector<std::uint32_t> corners{72, 80};
         seam = world.stitch(cloths[0], corners, cloths[1], corners, {.rest_length = 0.05f}).value();

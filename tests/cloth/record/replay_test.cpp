@@ -60,7 +60,7 @@ TEST(Replay, FindsAPlantedDifference) {
 TEST(Replay, NamesTheClothThatDiffersByItsPlace) {
     Bytes bytes = recorded();
     const auto records = records_of(bytes);
-    // The last pin is of the sixth cloth, which took the first one's place.
+    // The last pin is of the eighth cloth, which took the first one's place.
     const auto last =
         std::find_if(records.rbegin(), records.rend(), [](const Record& r) { return r.call() == Call::pin; });
     bytes[last->given() + sizeof(ClothId) + 8] ^= std::byte{4};  // of vertex 3 vertex 7
@@ -68,7 +68,7 @@ TEST(Replay, NamesTheClothThatDiffersByItsPlace) {
     const auto replayed = replay(bytes, {.threads = 1});
     ASSERT_TRUE(replayed) << replayed.error().message;
     ASSERT_TRUE(replayed->difference);
-    EXPECT_EQ(replayed->difference->cloth, 5u);
+    EXPECT_EQ(replayed->difference->cloth, 7u);
     EXPECT_EQ(replayed->difference->step, 18u);
 }
 

@@ -163,6 +163,8 @@ TEST(StepApart, RefusesByNameWhatWouldChangeIt) {
         {"move_cloth", [&] { return world.move_cloth(cloth, {}); }},
         {"reset_cloth", [&] { return world.reset_cloth(cloth, {}); }},
         {"resume_cloth", [&] { return world.resume_cloth(cloth, {}, {}, {}); }},
+        {"add_level", [&] { return world.add_level(cloth, game.cloths[1]); }},
+        {"set_level", [&] { return world.set_level(cloth, 0); }},
         {"cast_ray",
          [&] {
              return answer_of(world.cast_ray({}, {0, 1, 0}));

@@ -300,6 +300,37 @@ static void hold(WeftWorld* world, WeftClothId cloth, WeftClothId other) {
     TAKES(weft_world_shift_origin(world, origin));
 }
 
+/* A sheet of 1 m by 1 m, of so many particles a side. */
+static WeftClothId sheet_of(WeftWorld* world, uint32_t count) {
+    WeftSheetSettings shape;
+    WeftMesh* mesh = NULL;
+    WeftClothId cloth;
+    weft_sheet_settings_init(&shape, sizeof shape);
+    shape.rows = count;
+    shape.columns = count;
+    TAKES(weft_mesh_make_sheet(&shape, &mesh));
+    TAKES(weft_world_add_cloth(world, mesh, NULL, &cloth));
+    weft_mesh_destroy(mesh);
+    return cloth;
+}
+
+static void levels(void) {
+    WeftWorld* world = NULL;
+    WeftClothId finest, coarser;
+    uint32_t level = 9;
+
+    TAKES(weft_world_create(NULL, &world));
+    finest = sheet_of(world, 9);
+    coarser = sheet_of(world, 5);
+    REFUSES(WEFT_INVALID_ARGUMENT, "81 particles", weft_world_add_level(world, coarser, finest, 0.1f));
+    TAKES(weft_world_add_level(world, finest, coarser, 0.1f));
+    REFUSES(WEFT_INVALID_ARGUMENT, "level", weft_world_set_level(world, finest, 2));
+    TAKES(weft_world_set_level(world, finest, 1));
+    TAKES(weft_world_level(world, finest, &level));
+    CHECK(level == 1);
+    weft_world_destroy(world);
+}
+
 static void air(const WeftWorld* world) {
     const WeftVec3 points[2] = {{0, 0, 0}, {5, 0, 0}};
     const WeftInput at = {points, 2, 0};
@@ -461,11 +492,13 @@ uint64_t hash_of_host_in_c(const char* folder) {
     weft_mesh_destroy(mesh);
     weft_cooked_cloth_destroy(cooked);
     for (i = 0; i < steps; ++i) TAKES(weft_world_step(world, 1.0f / 60));
-    CHECK(executor_calls == steps + 4); /* and once to move a cloth, to reset and to resume it, and to shift the origin */
+    CHECK(executor_calls ==
+          steps + 4); /* and once to move a cloth, to reset and to resume it, and to shift the origin */
     look_at(world, cloth, folder);
     hash = weft_world_state_hash(world);
     go_back(world);
     weft_world_destroy(world);
+    levels();
     record(folder);
     cut_cloth();
     rest_of_the_host();

@@ -282,13 +282,19 @@ static void drawn_mesh(void) {
     CHECK(weft_drawn_mesh_save_size(drawn) == sizeof saved && weft_drawn_mesh_save_size(NULL) == 0);
     REFUSES(WEFT_INVALID_ARGUMENT, "256", weft_drawn_mesh_save(drawn, saved, 255));
     TAKES(weft_drawn_mesh_save(drawn, saved, sizeof saved));
+    aligned[0].y += 0.02f;
+    TAKES(weft_drawn_mesh_begin_blend(drawn, world, cloth, aligned, NULL));
+    TAKES(weft_drawn_mesh_blend(drawn, 0.5f));
+    TAKES(weft_drawn_mesh_update(drawn, world, cloth, aligned, NULL, NULL, 0, SIZE_MAX));
+    CHECK(fabsf(aligned[0].y - 0.02f) < 1e-5f && fabsf(aligned[1].y - 0.01f) < 1e-5f);
+    REFUSES(WEFT_INVALID_ARGUMENT, "left", weft_drawn_mesh_blend(drawn, 2));
+    REFUSES(WEFT_INVALID_ARGUMENT, "null", weft_drawn_mesh_begin_blend(drawn, world, cloth, NULL, NULL));
     REFUSES(WEFT_INVALID_ARGUMENT, "3 vertices", weft_carry_state(world, cloth, cloth, drawn));
     weft_drawn_mesh_destroy(drawn);
     TAKES(weft_drawn_mesh_load(saved, sizeof saved, world, cloth, &drawn));
     CHECK(weft_drawn_mesh_size(drawn) == 3);
     saved[99] ^= 1;
-    REFUSES(WEFT_MALFORMED_FILE, "checksum",
-            weft_drawn_mesh_load(saved, sizeof saved, world, cloth, &drawn));
+    REFUSES(WEFT_MALFORMED_FILE, "checksum", weft_drawn_mesh_load(saved, sizeof saved, world, cloth, &drawn));
     weft_drawn_mesh_destroy(drawn);
     weft_mesh_destroy(mesh);
     weft_world_destroy(world);
