@@ -29,7 +29,7 @@ struct SceneOptions {
     Hold hold = Hold::highest_opening;  ///< of the scene garment
     bool y_is_up = false;               ///< up in the garment's file is +Y; else +Z
     float unit = 0;  ///< metres in a unit of the garment's file; 0: a garment's size decides
-    /// About how many particles a proxy (weft/proxy.h) of the scene garment has, over which the garment's own
+    /// About how many particles a proxy (weft/proxy.h) of a file's garment has, over which the garment's own
     /// mesh is drawn; 0: the mesh itself is simulated.
     std::uint32_t simulated = 0;
 

@@ -33,12 +33,29 @@ Result<std::unique_ptr<Motion>> make_motion(const CharacterSettings& settings) {
 }
 
 Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& skeleton, const Body& body) {
-    if (!settings.garment.empty()) return read_garment(settings.garment, settings.unit);
+    if (!settings.garment.empty()) {
+        auto read = read_garment(settings.garment, settings.unit);
+        if (!read || settings.simulated == 0) return read;
+        if (auto made = simulate_proxy(*read, settings.simulated); !made) return made.error();
+        return read;
+    }
     Pose pose;
     place_joints(skeleton, body.stance(skeleton, Fit().arms), pose);
     Garment dress = make_dress(body, pose, settings.particles == 0 ? 3100 : settings.particles);
     if (settings.drawn > 0) dress.fine = make_dress(body, pose, settings.drawn).mesh;
     return dress;
+}
+
+/// Makes the skin that of a coarser mesh: each vertex gets the joints and weights of one of the finer mesh.
+void take_vertices(SkinnedMesh& skinned, const std::vector<std::uint32_t>& vertices, const Mesh& coarse) {
+    std::vector<std::uint32_t> joints;
+    std::vector<float> weights;
+    for (const std::uint32_t v : vertices)
+        for (std::size_t k = skinned.influences * v; k < skinned.influences * (v + std::size_t{1}); ++k) {
+            joints.push_back(skinned.joints[k]);
+            weights.push_back(skinned.weights[k]);
+        }
+    skinned = {coarse, skinned.influences, std::move(joints), std::move(weights), {}};
 }
 
 /// A point is beyond a limb if it is outside of a ball about the limb's middle that holds all of it. For half
@@ -79,8 +96,13 @@ Result<Character> Character::create_skinned(const CharacterSettings& settings) {
     if (!read) return read.error();
     auto body = Body::create(read->recording.skeleton);
     if (!body) return Error{body.error().code, settings.garment.string() + ": " + body.error().message};
+    SkinnedMesh& worn = read->worn;
+    if (settings.simulated > 0) {
+        const auto nearest = simulate_proxy(read->garment, settings.simulated);
+        if (!nearest) return nearest.error();
+        take_vertices(worn, *nearest, read->garment.mesh);
+    }
     Fit fit;
-    const SkinnedMesh& worn = read->worn;
     std::vector<std::uint32_t> joints;
     std::vector<float> weights;
     for (const std::uint32_t vertex : read->garment.fixed) {

@@ -26,6 +26,7 @@ struct CharacterSettings {
     float unit = 0;                 ///< metres in a unit of an OBJ file; 0: a garment's size decides
     std::uint32_t particles = 0;    ///< of the dress that ships, about; 0: 3100
     std::uint32_t drawn = 0;        ///< vertices of a finer dress that is drawn instead, about; 0: none
+    std::uint32_t simulated = 0;    ///< particles of a proxy of a file's garment, about; 0: none is made
     double speed = 1;               ///< factor on the motion's own speed
     Vec3 place{};                   ///< the motion's origin on the ground [m]
     double ahead = 0;               ///< the motion's own time at its start [s]

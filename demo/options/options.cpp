@@ -76,10 +76,9 @@ void add_simulation_options(CLI::App& app, SimulationOptions& options) {
     app.add_option("--particles", options.scene_options.particles,
                    "About this many particles (default: the scene's own number)")
         ->check(CLI::Range(9u, 4u << 20));
-    app.add_option(
-           "--simulate", options.scene_options.simulated,
-           "Scene garment: simulate a mesh of about this many particles, and draw the file's own mesh "
-           "over it (default: the file's own mesh is simulated)")
+    app.add_option("--simulate", options.scene_options.simulated,
+                   "Simulate a mesh of about this many particles, and draw the file's own mesh "
+                   "over it (default: the file's own mesh is simulated)")
         ->check(CLI::Range(12u, 1u << 20));
     app.add_option("--threads", options.overrides.threads,
                    "Threads of the simulation (default: one per core)")
@@ -187,11 +186,11 @@ Result<const SceneEntry*> choose_scene(const SimulationOptions& options) {
                                                       options.scene_options.garment.string() +
                                                       ", or name the scene garment"};
     }
-    if (!scene->needs_garment && options.scene_options.simulated > 0) {
+    if (!garment_given && options.scene_options.simulated > 0) {
         return Error{ErrorCode::invalid_argument,
                      "scene " + name +
                          " has no mesh of a file to draw over what is simulated; leave out "
-                         "--simulate, or name the scene garment"};
+                         "--simulate, or name a file with --garment"};
     }
     if (!scene->takes_motion && !options.scene_options.motion.empty()) {
         return Error{ErrorCode::invalid_argument,

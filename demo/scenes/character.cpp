@@ -48,7 +48,7 @@ class Walkers final : public Scene {
             SceneCloth& cloth = content.cloths.emplace_back(
                 SceneCloth{character.cloth(), character.garment().mesh, two_sided(colour)});
             if (const Mesh& fine = character.garment().fine; !fine.positions.empty())
-                must(draw_over(cloth, world, fine));
+                must(draw_over(cloth, world, fine, {.reach = character.garment().reach}));
             content.clad_colliders.insert(content.clad_colliders.end(), character.colliders().begin(),
                                           character.colliders().end());
             content.solids.push_back(character.skin_places() ? skin_of(character)
@@ -124,6 +124,7 @@ class Walkers final : public Scene {
         settings.runs = run_;
         settings.garment = options.garment;
         settings.unit = options.unit;
+        settings.simulated = options.simulated;
         settings.speed = options.speed;
         if (options.skin) settings.surface = BodySurface::skin;
         settings.particles = options.particles / (rows_ * columns_);

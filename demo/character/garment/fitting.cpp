@@ -157,7 +157,8 @@ Result<Fit> fit(const Skeleton& skeleton, const Body& body, Garment& garment) {
     if (!garment.stands_ready) {
         const Place place = find_place(skeleton, body, garment);
         fit.arms = place.arms;
-        for (Vec3& p : garment.mesh.positions) p = to_vec3(to_vector(p) + place.shift);
+        for (std::vector<Vec3>* positions : {&garment.mesh.positions, &garment.fine.positions})
+            for (Vec3& p : *positions) p = to_vec3(to_vector(p) + place.shift);
         fit.girth = find_girth(skeleton, body, garment.mesh, fit.arms);
     }
     const FittingRoom room(skeleton, body, fit.arms, fit.girth);

@@ -226,9 +226,10 @@ TEST(PaintedMaps, LeashesHoldADressToTheBody) {
     const TemporaryFile file("leashed.obj", obj);
     std::filesystem::path beside = file.path();
     beside.replace_extension(".maps");
-    for (const char* maps : {"leash all 0.02\nbackstop all 0.01\n", "leash all 50\n"}) {
+    const auto expect_held = [&](const char* maps, std::uint32_t simulated) {
         std::ofstream(beside, std::ios::binary) << maps;
         settings.garment = file.path();
+        settings.simulated = simulated;
         auto made = Character::create(settings);
         ASSERT_TRUE(made.ok()) << made.error().message;
         auto world = World::create({.threads = 1});
@@ -248,7 +249,16 @@ TEST(PaintedMaps, LeashesHoldADressToTheBody) {
             EXPECT_LT(farthest, 0.0201f);
         else
             EXPECT_GT(farthest, 0.03f) << "nothing else holds it so near";
-    }
+        if (simulated == 0) return;
+        EXPECT_EQ(made->garment().fine.positions.size(), dress.mesh.positions.size());
+        EXPECT_NEAR(static_cast<float>(made->garment().mesh.positions.size()), static_cast<float>(simulated),
+                    0.2f * static_cast<float>(simulated));
+        EXPECT_FALSE(made->garment().fixed.empty());
+        EXPECT_LT(made->garment().fixed.size(), made->garment().mesh.positions.size() * 9 / 10);
+    };
+    for (const std::uint32_t simulated : {0u, 160u})
+        for (const char* maps : {"leash all 0.02\nbackstop all 0.01\n", "leash all 50\n"})
+            ASSERT_NO_FATAL_FAILURE(expect_held(maps, simulated)) << simulated;
     std::filesystem::remove(beside);
 }
 
