@@ -53,6 +53,21 @@ float mean_speed(const ClothState& state) {
     return static_cast<float>(sum.norm() / static_cast<double>(state.size()));
 }
 
+/// Greatest speed of sixteen particles that follow one another, rms [m/s]: one that trembles alone hardly
+/// counts.
+float peak_speed_of_groups(const ClothState& state) {
+    const std::span<const Vec4> velocities = std::as_const(state.velocities).span();
+    float most = 0;
+    for (std::size_t first = 0; first < velocities.size(); first += 16) {
+        const std::span group =
+            velocities.subspan(first, std::min<std::size_t>(16, velocities.size() - first));
+        float sum = 0;
+        for (const Vec4& v : group) sum += xyz(v).squaredNorm();
+        most = std::max(most, sum / static_cast<float>(group.size()));
+    }
+    return std::sqrt(most);
+}
+
 /// Whether the collider may meet a cloth during its motion; its layers are those at the end.
 bool is_near(const ColliderMotion& motion, const Cloth& cloth, float dt, float max_speed) {
     const Collider& collider = motion.end;
@@ -192,9 +207,9 @@ void count_still_time(Cloth& cloth, float dt) {
     float& still_for = cloth.state.rest->still_for;
     // The mean's part of the limit is small, so that cloth that begins to slide stays awake.
     constexpr float as_a_whole = 0.25f;
-    const bool is_still = !cloth.restored && !cloth.meets_bodies &&
-                          cloth.extent.peak_speed_squared < limit * limit &&
-                          mean_speed(cloth.state) < as_a_whole * limit;
+    const bool is_still =
+        !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < 16 * limit * limit &&
+        peak_speed_of_groups(cloth.state) < limit && mean_speed(cloth.state) < as_a_whole * limit;
     still_for = is_still ? still_for + dt : 0.0f;
     // Particles that are pushed out of a collider move without a velocity.
     if (still_for >= time_to_sleep && cloth.collider_contacts > 0 && farthest_way(cloth.state) > limit * dt)

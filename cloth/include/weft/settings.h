@@ -113,8 +113,9 @@ struct ClothSettings {
     /// Whether the cloth is simulated. False: no step moves it, nothing meets it, and it costs nothing; it
     /// may be pinned and set meanwhile. See World::set_enabled.
     bool enabled = true;
-    /// Cloth falls asleep if for half a second no particle has been faster than this [m/s], 0 to 1000, and
-    /// their mean not faster than a quarter of it. It stands still, presses on nothing and costs next to
+    /// Cloth falls asleep if for half a second no sixteen particles that follow one another have been faster
+    /// than this, rms [m/s], 0 to 1000, and the mean of all velocities has not been above a quarter of it: one
+    /// particle that trembles keeps nothing awake. It stands still, presses on nothing and costs next to
     /// nothing until a pin moves, a collider near it or under it moves, leaves or changes, awake cloth comes
     /// near, the wind, gravity or its settings change, or World::wake. Cloths that may touch sleep together.
     /// In gusts no cloth sleeps. 0: it never sleeps; so set it where cloth is to drift slowly, without

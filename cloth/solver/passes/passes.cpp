@@ -16,7 +16,7 @@ namespace weft {
 
 namespace {
 
-/// The directions of a pass. A later direction that the earlier ones nearly span gets coefficient 0.
+/// The directions of a cycle. A later direction that the earlier ones nearly span gets coefficient 0.
 enum Direction : std::size_t { change, motion, correction, direction_count };
 using Coefficients = std::array<double, direction_count>;
 
@@ -52,6 +52,12 @@ Coefficients least_energy(const SmallSystem& s) {
         for (std::size_t n = k + 1; n < direction_count; ++n) c[k] -= l[n][k] * c[n];
     }
     return c;
+}
+
+/// The factor of four rows; w stays.
+FourRows four_rows_of(double factor) {
+    const auto by = static_cast<float>(factor);
+    return Eigen::Array4f(by, by, by, 0).replicate<1, 4>();
 }
 
 /// Sums over a block: velocities and number of the pinned particles; momenta and mass of the others.
@@ -100,7 +106,8 @@ class Passes {
     /// work(member, threads): many members run side by side, few one after the other with all threads.
     template <class Work>
     void for_each_member(const Work& work);
-    [[nodiscard]] double tolerated_energy(const Multilevel& method) const;
+    /// Energy of the change of velocity v of all mass [J], times two.
+    [[nodiscard]] double energy_of(double v) const;
     void begin();
     [[nodiscard]] Vec4 frame_velocity() const;
     void linearise();
@@ -109,13 +116,18 @@ class Passes {
     void let_bodies_follow();
     /// Minimises the linearised step over v, the last change and, if it is wanted, a cycle's correction.
     bool minimise(bool with_correction);
+    /// Does so again with another cycle, about the same iterate: a step of conjugate gradients.
+    bool minimise_further();
     void subtract(const Coefficients& c);
+    bool correct();
+    void subtract_last_step();
     void find_corrections();
     /// product = W x of all members, unless `product` is null. with(member): what x is dotted with.
     template <class With>
     Products multiply(Vector x, Vector product, const With& with);
     double couple(Vector x, Vector product);
-    void move(const Coefficients& c);
+    /// Moves along the directions. Returns false, and does nothing, if a coefficient is not finite.
+    bool move(const Coefficients& c);
     [[nodiscard]] bool touches_what_is_held() const;
     void keep_momentum();
 
@@ -124,9 +136,12 @@ class Passes {
     Parallel& parallel_;
     PairRows* pairs_;  // null: no features touch
     BodyCoupling* bodies_;
-    Vec4 frame_{};     // velocity that `motion` is relative to
-    int passes_ = 0;   // passes taken so far
-    double left_ = 0;  // energy that the last pass found beyond its first two directions [J]
+    Vec4 frame_{};               // velocity that `motion` is relative to
+    int passes_ = 0;             // passes taken so far
+    SmallSystem small_;          // of the last cycle
+    Coefficients subtracted_{};  // of the last step, what the right side is without
+    Coefficients last_{};        // the last step
+    double left_ = 0;            // energy that the last cycle found beyond its first two directions [J]
 };
 
 }  // namespace
@@ -135,20 +150,29 @@ class Passes {
 // nonlinear problems"): a metric in which a stiff spring counts no more than a soft one. Where much is left,
 // up to two more passes are taken than asked for, and up to eight where more is left than tolerated, since
 // BDF2 extrapolates a third of what a step leaves: flags in high wind were slow, and limp cloth that crumples
-// in a vacuum gained energy without end. After the last pass the springs have turned, so r . v = 0 holds in
-// its linearisation only; where much is left, one more minimisation without a cycle restores it.
+// in a vacuum gained energy without end. Where what is left is no small part of the motion, the last pass
+// has further cycles: the error of slow cloth lags behind it, and corners flapped for ever. After the last
+// pass the springs have turned, so r . v = 0 holds in its linearisation only; where much is left, one more
+// minimisation without a cycle restores it.
 SolveResult Passes::operator()() {
-    constexpr double much = 0.02;  // of the tolerated energy: 5 to 6 m/s^2 by default
+    constexpr double much = 0.02;    // of the tolerated energy: 5 to 6 m/s^2 by default
+    constexpr double small = 0.01;   // of the motion's energy: a tenth of its velocity
+    constexpr double still = 1e-4;   // [m/s], rms over the mass: smaller errors are not seen
+    constexpr int most_further = 4;  // cycles
     const Multilevel& method = std::get<Multilevel>(first_.settings.method);
-    const double tolerated = tolerated_energy(method);
+    const double tolerated =
+        energy_of(static_cast<double>(method.tolerance) * static_cast<double>(first_.equation.gamma));
     const auto much_is_left = [&] { return left_ > much * tolerated; };
     const auto more = [&] { return left_ > tolerated ? 8 : much_is_left() ? 2 : 0; };
+    const double unseen = energy_of(still);
     begin();
     while (passes_ < method.passes + more()) {
         linearise();
         if (!minimise(true)) return {.ok = false};
         ++passes_;
     }
+    for (int k = 0; k < most_further && left_ > small * small_.g[motion][motion] + unseen; ++k)
+        if (!minimise_further()) return {.ok = false};
     if (much_is_left()) {
         linearise();
         if (!minimise(false)) return {.ok = false};
@@ -179,12 +203,10 @@ PairRows* Passes::pairs_of(std::span<const PassMember> members) {
     return nullptr;
 }
 
-double Passes::tolerated_energy(const Multilevel& method) const {
+double Passes::energy_of(double v) const {
     double mass = 0;
     for (const PassMember& member : members_) mass += member.mass;
-    const double velocity =
-        static_cast<double>(method.tolerance) * static_cast<double>(first_.equation.gamma);
-    return mass * velocity * velocity;
+    return mass * v * v;
 }
 
 void Passes::begin() {
@@ -277,49 +299,37 @@ void Passes::let_bodies_follow() {
 bool Passes::minimise(bool with_correction) {
     const auto timer = first_.timed(Stage::solve);
     const bool has_change = passes_ > 0;
-    SmallSystem s;
+    small_ = {};
     const auto right_side = [](const PassMember& member) { return member.system.right_side().data(); };
     const Products of_motion =
         multiply(&PassVectors::motion, &PassVectors::of_motion,
                  [&](const PassMember& member) -> DottedWith { return {right_side(member)}; });
-    s.b[motion] = of_motion.dots[0];
-    s.g[motion][motion] = of_motion.x_wx;
+    small_.b[motion] = of_motion.dots[0];
+    small_.g[motion][motion] = of_motion.x_wx;
     if (has_change) {
         const Products of_change = multiply(&PassVectors::change, &PassVectors::of_change,
                                             [&](const PassMember& member) -> DottedWith {
                                                 return {right_side(member), member.vectors.of_motion.data()};
                                             });
-        s.b[change] = of_change.dots[0];
-        s.g[motion][change] = of_change.dots[1];
-        s.g[change][change] = of_change.x_wx;
+        small_.b[change] = of_change.dots[0];
+        small_.g[motion][change] = of_change.dots[1];
+        small_.g[change][change] = of_change.x_wx;
     }
-    Coefficients c = least_energy(s);
-    if (with_correction) {
-        subtract(c);
-        find_corrections();
-        const Products of_correction =
-            multiply(&PassVectors::correction, nullptr, [&](const PassMember& member) -> DottedWith {
-                return {right_side(member), member.vectors.of_motion.data(),
-                        has_change ? member.vectors.of_change.data() : nullptr};
-            });
-        left_ = of_correction.dots[0];
-        s.g[correction] = {of_correction.dots[2], of_correction.dots[1], of_correction.x_wx};
-        s.b[correction] = left_ + c[motion] * of_correction.dots[1] + c[change] * of_correction.dots[2];
-        if (!std::isfinite(left_)) return false;
-        c = least_energy(s);
-    }
-    if (!std::isfinite(c[motion] + c[change] + c[correction])) return false;
-    move(c);
-    return true;
+    const Coefficients c = least_energy(small_);
+    if (!with_correction) return move(c);
+    subtract(c);
+    return correct();
+}
+
+bool Passes::minimise_further() {
+    const auto timer = first_.timed(Stage::solve);
+    subtract_last_step();
+    return correct();
 }
 
 /// b -= W times the step along these directions; w stays.
 void Passes::subtract(const Coefficients& c) {
-    const auto part = [&](Direction d) -> FourRows {
-        const auto by = static_cast<float>(c[d]);
-        return Eigen::Array4f(by, by, by, 0).replicate<1, 4>();
-    };
-    const FourRows of_motion = part(motion), of_change = part(change);
+    const FourRows of_motion = four_rows_of(c[motion]), of_change = four_rows_of(c[change]);
     for_each_member([&](const PassMember& member, Parallel& threads) {
         const PassVectors& of = member.vectors;
         Vec4* const b = member.system.right_side().data();
@@ -329,6 +339,64 @@ void Passes::subtract(const Coefficients& c) {
             return left;
         });
     });
+    subtracted_ = c;
+}
+
+/// Finds a cycle's correction of what the right side has left, and moves by the step of least energy.
+bool Passes::correct() {
+    find_corrections();
+    const Products of_correction = multiply(
+        &PassVectors::correction, &PassVectors::of_correction, [&](const PassMember& member) -> DottedWith {
+            return {member.system.right_side().data(), member.vectors.of_motion.data(),
+                    small_.g[change][change] > 0 ? member.vectors.of_change.data() : nullptr};
+        });
+    left_ = of_correction.dots[0];
+    small_.g[correction] = {of_correction.dots[2], of_correction.dots[1], of_correction.x_wx};
+    small_.b[correction] =
+        left_ + subtracted_[motion] * of_correction.dots[1] + subtracted_[change] * of_correction.dots[2];
+    return std::isfinite(left_) && move(least_energy(small_));
+}
+
+// The residual of the last step is orthogonal to motion and change. Their products with W follow from those
+// of the directions that the step was made of.
+void Passes::subtract_last_step() {
+    const Coefficients& c = last_;
+    Coefficients of_step{};  // the step's products with W times each direction
+    double step_step = 0;
+    for (std::size_t k = 0; k < direction_count; ++k) {
+        for (std::size_t m = 0; m < direction_count; ++m)
+            of_step[k] += c[m] * small_.g[std::max(k, m)][std::min(k, m)];
+        step_step += c[k] * of_step[k];
+    }
+    const double motion_motion = small_.g[motion][motion] + 2 * of_step[motion] + step_step;
+    small_ = {};
+    small_.g[change][change] = step_step;
+    small_.g[motion][change] = of_step[motion] + step_step;
+    small_.g[motion][motion] = motion_motion;
+
+    const FourRows by_motion = four_rows_of(c[motion]), by_change = four_rows_of(c[change]),
+                   by_correction = four_rows_of(c[correction]),
+                   less_motion = four_rows_of(c[motion] - subtracted_[motion]),
+                   less_change = four_rows_of(c[change] - subtracted_[change]);
+    for_each_member([&](const PassMember& member, Parallel& threads) {
+        PassVectors& of = member.vectors;
+        Vec4* const b = member.system.right_side().data();
+        fill_fours(threads, member.system.right_side().span(), [&](std::uint32_t i) -> FourRows {
+            const FourRows of_motion = load_four(&of.of_motion[i]),
+                           of_correction = by_correction * load_four(&of.of_correction[i]);
+            FourRows left = load_four(b + i) - less_motion * of_motion - of_correction;
+            FourRows more = by_motion * of_motion + of_correction;
+            if (c[change] != 0) {
+                const FourRows of_change = load_four(&of.of_change[i]);
+                left -= less_change * of_change;
+                more += by_change * of_change;
+            }
+            store_four(more, &of.of_change[i]);
+            store_four(of_motion + more, &of.of_motion[i]);
+            return left;
+        });
+    });
+    subtracted_ = {};
 }
 
 void Passes::find_corrections() {
@@ -381,25 +449,26 @@ double Passes::couple(Vector x, Vector product) {
     return sum;
 }
 
-void Passes::move(const Coefficients& c) {
-    const auto by = [&](Direction d) { return static_cast<float>(c[d]); };
+bool Passes::move(const Coefficients& c) {
+    if (!std::isfinite(c[motion] + c[change] + c[correction])) return false;
+    const FourRows by_motion = four_rows_of(c[motion]), by_change = four_rows_of(c[change]),
+                   by_correction = four_rows_of(c[correction]);
     for_each_member([&](const PassMember& member, Parallel& threads) {
         PassVectors& of = member.vectors;
         Vec4* const v = member.step.velocities.data();
-        threads.ranges(static_cast<std::uint32_t>(member.step.velocities.size()),
-                       [&](const BlockRange& range) {
-                           for (std::uint32_t i = range.begin; i < range.end; i += 4) {
-                               const FourRows before = load_four(&of.motion[i]);
-                               FourRows more = by(motion) * before;
-                               if (c[change] != 0) more += by(change) * load_four(&of.change[i]);
-                               if (c[correction] != 0) more += by(correction) * load_four(&of.correction[i]);
-                               store_four(more, &of.change[i]);
-                               store_four(before + more, &of.motion[i]);
-                               store_four(load_four(v + i) + more, v + i);
-                           }
-                       });
+        fill_fours(threads, member.step.velocities, [&](std::uint32_t i) -> FourRows {
+            const FourRows before = load_four(&of.motion[i]);
+            FourRows more = by_motion * before;
+            if (c[change] != 0) more += by_change * load_four(&of.change[i]);
+            if (c[correction] != 0) more += by_correction * load_four(&of.correction[i]);
+            store_four(more, &of.change[i]);
+            store_four(before + more, &of.motion[i]);
+            return load_four(v + i) + more;
+        });
         follow_filling(member, threads);
     });
+    last_ = c;
+    return true;
 }
 
 /// Whether a stitch, or a pair that pushes, has a corner that is not free: a piece held in whole shows up

@@ -35,18 +35,22 @@ struct PassVectors {
     }
     /// Lays out the vectors that come into use once the levels are built.
     void lay_out_later(Scratch& scratch, std::uint32_t particles) {
-        for (auto* vector : {&change, &correction, &of_motion, &of_change}) scratch.take(*vector, particles);
+        for (auto* vector : later()) scratch.take(*vector, particles);
     }
     void begin_later() noexcept {
-        for (auto* vector : {&change, &correction, &of_motion, &of_change}) vector->clear_padding();
+        for (auto* vector : later()) vector->clear_padding();
     }
 
-    ScratchArray<Vec4> motion;                ///< velocity in the group's frame [m/s]
-    ScratchArray<Vec4> change;                ///< change of velocity in the last pass [m/s]
-    ScratchArray<Vec4> correction;            ///< by a multigrid cycle, from the residual of these two [m/s]
-    ScratchArray<Vec4> of_motion, of_change;  ///< W times motion and change [kg m/s]
-    ScratchArray<VelocitySums> partials;      ///< by block
-    Products products;                        ///< of the last multiplication
+    [[nodiscard]] std::array<ScratchArray<Vec4>*, 5> later() noexcept {
+        return {&change, &correction, &of_motion, &of_change, &of_correction};
+    }
+
+    ScratchArray<Vec4> motion;      ///< velocity in the group's frame [m/s]
+    ScratchArray<Vec4> change;      ///< last change of velocity [m/s]
+    ScratchArray<Vec4> correction;  ///< by a multigrid cycle, from the residual of these two [m/s]
+    ScratchArray<Vec4> of_motion, of_change, of_correction;  ///< W times each [kg m/s]
+    ScratchArray<VelocitySums> partials;                     ///< by block
+    Products products;                                       ///< of the last multiplication
 };
 
 /// A cloth of a group: its step, and what its solver owns.

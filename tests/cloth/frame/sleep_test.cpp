@@ -519,6 +519,31 @@ TEST(Enabled, WhatLayAsleepOnItWakes) {
     EXPECT_FALSE(world.is_asleep(upper).value());
 }
 
+/// Whether a cloth of loose particles falls asleep of which the first `count` move at this speed [m/s].
+bool sleeps_though_some_move(std::uint32_t count, float speed) {
+    World space = World::create(vacuum()).value();
+    const ClothId loose =
+        add_sheet(space, 0, {.fabric = {.warp = 0, .weft = 0, .shear = 0, .bending = 0}, .air_damping = 0});
+    const ClothView view = space.cloth(loose).value();
+    std::vector<Vec3> places, before, velocities;
+    for (const std::uint32_t i : view.vertex_to_particle) {
+        const Vec4& p = view.positions[i];
+        const float v = i < count ? speed : 0;
+        places.push_back({p.x, p.y, p.z});
+        before.push_back({p.x, p.y - v * h, p.z});
+        velocities.push_back({0, v, 0});
+    }
+    EXPECT_TRUE(space.resume_cloth(loose, places, before, velocities));
+    return sleeps_within(space, loose, 60);
+}
+
+TEST(SleepByDefault, OneParticleThatTremblesKeepsNoClothAwake) {
+    EXPECT_TRUE(sleeps_though_some_move(1, 0.07f));
+    EXPECT_FALSE(sleeps_though_some_move(1, 0.09f)) << "moves by 1.5 mm a step";
+    EXPECT_TRUE(sleeps_though_some_move(16, 0.018f));
+    EXPECT_FALSE(sleeps_though_some_move(16, 0.022f));
+}
+
 TEST(SleepByDefault, ADroppedSheetAndAHungOneSleepOneThatDriftsDoesNot) {
     for (const SelfCollisionMethod method : {SelfCollisionMethod::off, SelfCollisionMethod::contact}) {
         World world = make_world();
