@@ -159,6 +159,7 @@ class Shapes final : public Scene {
         const Mesh mesh =
             sheet_of(particles == 0 ? 1600 : particles, to_vec3(corner), to_vec3(u), to_vec3(v));
         ClothSettings settings;
+        settings.fabric.damping = 0.01f;  // so that pleats come to rest
         settings.thickness = kept_apart;
         settings.self_collision = {.method = SelfCollisionMethod::contact};
         const auto cloth = must(world.add_cloth(mesh, settings));

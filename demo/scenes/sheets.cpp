@@ -18,6 +18,7 @@ constexpr float square_side = 2.0f;  // [m]
 constexpr float fall = 0.35f;        // from the start to the top of the sphere [m]
 constexpr Sphere sphere{{0, 0.4f, 0}, 0.4f};
 constexpr float thickness = 0.008f;  // [m]
+constexpr float damping = 0.01f;     // [s], so that pleats come to rest
 
 class Sheet final : public OneCloth {
   public:
@@ -32,6 +33,7 @@ class Sheet final : public OneCloth {
                          {square_side, 0, 0}, {0, 0, square_side});
 
         ClothSettings settings;
+        settings.fabric.damping = damping;
         settings.self_collision = {.method = SelfCollisionMethod::contact};
         settings.thickness = thickness;
         SceneContent content =
@@ -172,7 +174,7 @@ class Ribbon final : public OneCloth {
                            .weft = 200.0f,
                            .shear = 80.0f,
                            .bending = 2e-5f,
-                           .damping = 1e-3f};
+                           .damping = 0.01f};
         settings.air_damping = 1.0f;
         settings.self_collision = {.method = SelfCollisionMethod::contact, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;
