@@ -26,10 +26,10 @@ constexpr float refinement = 4;    // points of the surface along an edge of the
 Result<void> check(const ProxySettings& settings) {
     if (!(settings.particles >= 12 && settings.particles <= 1u << 20))
         return out_of_range("ProxySettings::particles", static_cast<double>(settings.particles),
-                            "it must be from 12 to 2^20 = 1048576");
+                            "from 12 to 2^20 = 1048576");
     if (!(settings.thickness >= 0 && settings.thickness <= 1))
         return out_of_range("ProxySettings::thickness", static_cast<double>(settings.thickness),
-                            "it must be from 0 to 1 m");
+                            "from 0 to 1 m");
     return {};
 }
 

@@ -119,7 +119,9 @@ struct Simulation {
     void drop_level(Cloth& cloth) noexcept;
     /// Has another level of a garment take over from the present one.
     void set_level(Garment& garment, std::uint32_t level, std::uint32_t rung);
-    /// The same by the budget's choices of this step, after it.
+    /// Has the next finer level take over from a cloth that is stepped, if there is one.
+    void refine_from(const Cloth& cloth);
+    /// Has levels take over by the budget's choices of this step, after it.
     void take_chosen_levels();
     /// Switches on the levels of a restored state in place of others.
     void enable_restored_levels() noexcept;

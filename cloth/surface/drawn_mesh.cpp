@@ -68,10 +68,10 @@ Result<void> check_counts(const DrawnSurface& surface) {
 Result<void> check_surface(const DrawnSurface& surface, const DrawnMeshSettings& settings) {
     if (!(settings.rounding >= 0 && settings.rounding <= 1))
         return out_of_range("DrawnMeshSettings::rounding", static_cast<double>(settings.rounding),
-                            "it must be from 0 to 1");
+                            "from 0 to 1");
     if (!(settings.reach > 0 && settings.reach <= 10))
         return out_of_range("DrawnMeshSettings::reach", static_cast<double>(settings.reach),
-                            "it must be above 0 and at most 10 m");
+                            "above 0 and at most 10 m");
     if (auto counts = check_counts(surface); !counts) return counts;
     for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
         if (!is_finite(surface.vertices[v])) return bad_vertex(v, "is not finite");
@@ -262,8 +262,7 @@ Result<void> DrawnMesh::begin_blend(const ClothView& cloth, std::span<const Vec4
 
 Result<void> DrawnMesh::blend(float left) {
     return without_exceptions([&]() -> Result<void> {
-        if (!(left >= 0 && left <= 1))
-            return out_of_range("left", static_cast<double>(left), "it must be from 0 to 1");
+        if (!(left >= 0 && left <= 1)) return out_of_range("left", static_cast<double>(left), "from 0 to 1");
         for (std::size_t v = 0; v < bonds_->own.size(); ++v) {
             const DrawnBond &own = bonds_->own[v], &start = bonds_->start[v];
             DrawnBond& bond = bonds_->of_vertex[v];

@@ -140,8 +140,9 @@ Result<ClothInfo> World::measure_cloth(const Mesh& mesh, const ClothSettings& se
 Result<void> World::remove_cloth(ClothId id) {
     return impl_->change(Call::remove_cloth, id)([&]() -> Result<void> {
         Simulation& simulation = impl_->simulation;
-        const auto* const cloth = simulation.cloths.find(id);
+        auto* const cloth = simulation.cloths.find(id);
         if (cloth == nullptr) return stale_id("ClothId", id);
+        simulation.parallel.lend([&] { simulation.refine_from(**cloth); });
         std::vector<SeamId> seams;
         for (const SeamRows* seam : (*cloth)->seams) seams.push_back(seam->id());
         simulation.remove_seams(seams);

@@ -261,12 +261,12 @@ WEFT_API size_t weft_drawn_mesh_size(const WeftDrawnMesh* mesh);
 WEFT_API WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* world,
                                            WeftClothId cloth, WeftVec4* positions, WeftVec4* normals,
                                            WeftVec4* tangents, size_t first, size_t count);
-// Returns the bonds, one a vertex, which hold until the mesh is destroyed; null: no mesh.
 // One position and one normal a vertex; normals may be null.
 WEFT_API WeftResult weft_drawn_mesh_begin_blend(WeftDrawnMesh* mesh, const WeftWorld* world,
                                                 WeftClothId cloth, const WeftVec4* positions,
                                                 const WeftVec4* normals);
 WEFT_API WeftResult weft_drawn_mesh_blend(WeftDrawnMesh* mesh, float left);
+// Returns the bonds, one a vertex, which hold until the mesh is destroyed; null: no mesh.
 WEFT_API const WeftDrawnBond* weft_drawn_mesh_bonds(const WeftDrawnMesh* mesh);
 WEFT_API float weft_drawn_mesh_rounding(const WeftDrawnMesh* mesh);
 WEFT_API size_t weft_drawn_mesh_save_size(const WeftDrawnMesh* mesh);

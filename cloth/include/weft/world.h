@@ -140,9 +140,10 @@ class WEFT_API World {
     /// before the last step from the other's surface. Its pins go to their own targets: move pins, skin and
     /// frame of all levels alike. Momentum changes by less than 2 % of mass times root mean square speed;
     /// folds that the coarser mesh cannot have are lost, and DrawnMesh::begin_blend() hides it. Removing or
-    /// cutting a level takes it and all coarser ones out of the garment. Errors, by which nothing changes: a
-    /// stale id; as many particles as the level above, or more; a fifth level; a cloth that is a level
-    /// already, or has seams; vertices out of reach, or a reach that is not above 0 to 10 m.
+    /// cutting a level takes it and all coarser ones out of the garment; the next finer one takes over from
+    /// one that is removed while it is stepped. Errors, by which nothing changes: a stale id; as many
+    /// particles as the level above, or more; a fifth level; a cloth that is a level already, or has seams;
+    /// vertices out of reach, or a reach that is not above 0 to 10 m.
     Result<void> add_level(ClothId finest, ClothId coarser, float reach = 0.1f);
     /// Sets the level that is stepped, of the garment that the cloth belongs to: by distance, between steps,
     /// before pins, skins and frames are moved. With WorldSettings::budget it is the finest level allowed:

@@ -129,6 +129,107 @@ TEST(GarmentLevels, TheHostSetsTheFinestThatABudgetMayTake) {
     for (std::size_t g = 0; g < Wardrobe::count; ++g) EXPECT_EQ(wardrobe.level(g), g == 2 ? 1u : 0u);
 }
 
+/// A garment stays on a level for half a second before it coarsens, and for a second before it refines.
+TEST(GarmentLevels, ABudgetThatChangesKeepsLevelsForAWhile) {
+    Wardrobe wardrobe(30);
+    std::array<int, Wardrobe::count> since{};
+    int coarsened = 0, refined = 0;
+    for (int s = 0; s < 900; ++s) {
+        wardrobe.simulation.settings.budget = s / 45 % 2 == 0 ? 30 : 0.1f;
+        const std::vector<std::uint32_t> before = wardrobe.simulation.state.levels;
+        wardrobe.step();
+        for (std::size_t g = 0; g < Wardrobe::count; ++g) {
+            if (wardrobe.level(g) == before[g]) continue;
+            const bool refines = wardrobe.level(g) < before[g];
+            EXPECT_GE(s - since[g], refines ? 60 : 30) << g << ", step " << s;
+            (refines ? refined : coarsened) += 1;
+            since[g] = s;
+        }
+    }
+    EXPECT_GT(coarsened, 0);
+    for (int s = 0; s < 300; ++s) {
+        wardrobe.simulation.settings.budget = 30;
+        const std::uint32_t before = wardrobe.level(0);
+        wardrobe.step();
+        if (wardrobe.level(0) == before) continue;
+        EXPECT_GE(900 + s - since[0], 60);
+        since[0] = 900 + s;
+        ++refined;
+    }
+    EXPECT_GT(refined, 0);
+}
+
+std::int64_t low_cost(const Cloth& cloth) {
+    return known_cost(cloth) / 100;
+}
+
+/// A mesh that was never stepped is taken to cost as the present one does, by its size: cloth that takes a
+/// thirtieth of the first guess goes to coarser meshes, too.
+TEST(GarmentLevels, ABudgetTakesWhatIsCheapToCoarserMeshes) {
+    Wardrobe wardrobe(0.03f);
+    wardrobe.simulation.cost_of = low_cost;
+    wardrobe.run(300);
+    EXPECT_GT(wardrobe.level(Wardrobe::count - 1), 0u);
+}
+
+/// Amid a long step the cloth is on its way to places that the other mesh does not have.
+TEST(GarmentLevels, AmidALongStepBdf2BeginsAnew) {
+    Wardrobe wardrobe(0.1f);
+    wardrobe.simulation.garments[0].least = 0;
+    Cloth &fine = *wardrobe.cloths[0][0], &coarse = *wardrobe.cloths[0][1];
+    for (int s = 0; s < 29 && !fine.is_gliding(); ++s) wardrobe.step();
+    ASSERT_TRUE(fine.is_gliding());
+    ASSERT_GT(fine.state.record.h, 0);
+    wardrobe.simulation.set_level(wardrobe.simulation.garments[0], 1, 0);
+    EXPECT_FALSE(fine.is_gliding());
+    EXPECT_EQ(coarse.state.record.h, 0);
+}
+
+TEST(GarmentLevels, AFramesMotionGoesOn) {
+    Wardrobe wardrobe(0);
+    const auto bytes_of = [](const Vec3& v) { return std::array{v.x, v.y, v.z}; };
+    const FrameState moves{
+        .pose = {}, .target = {}, .velocity = {1, 2, 3}, .velocity_change = {0.1f, 0.2f, 0.3f}};
+    for (Cloth* cloth : wardrobe.cloths[0]) cloth->state.frame = moves;
+    wardrobe.simulation.set_level(wardrobe.simulation.garments[0], 2, 0);
+    const FrameState& now = *wardrobe.cloths[0][2]->state.frame;
+    EXPECT_EQ(bytes_of(now.velocity), bytes_of(moves.velocity));
+    EXPECT_EQ(bytes_of(now.velocity_change), bytes_of(moves.velocity_change));
+}
+
+/// A level that the host allowed no finer than, and that is gone, binds the coarsest that is left no more.
+TEST(GarmentLevels, TheFinestAllowedIsOneThatIsLeft) {
+    Wardrobe wardrobe(0.05f);
+    Garment& garment = wardrobe.simulation.garments[0];
+    garment.least = 2;
+    wardrobe.simulation.set_level(garment, 2, 0);
+    wardrobe.simulation.refine_from(*wardrobe.cloths[0][2]);
+    wardrobe.simulation.drop_level(*wardrobe.cloths[0][2]);
+    ASSERT_EQ(wardrobe.level(0), 1u);
+    const Cloth& left = *wardrobe.cloths[0][1];
+    for (int s = 0; s < 60; ++s) wardrobe.simulation.step(h);
+    ASSERT_GT(left.state.detail->rung, 0u);
+    wardrobe.simulation.settings.budget = 30;
+    for (int s = 0; s < 60; ++s) wardrobe.simulation.step(h);
+    EXPECT_EQ(wardrobe.level(0), 1u);
+    EXPECT_EQ(left.state.detail->rung, 0u);
+}
+
+TEST(GarmentLevels, OthersStayWhenOneEnds) {
+    Wardrobe wardrobe(0);
+    Simulation& simulation = wardrobe.simulation;
+    simulation.drop_level(*wardrobe.cloths[2][1]);
+    ASSERT_EQ(simulation.garments.size(), Wardrobe::count - 1);
+    for (std::size_t g = 0; g < Wardrobe::count; ++g)
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            const Cloth& cloth = *wardrobe.cloths[g][k];
+            ASSERT_EQ(cloth.garment, g == 2 ? no_garment : g > 2 ? g - 1 : g);
+            if (g != 2) {
+                EXPECT_EQ(simulation.garments[cloth.garment].levels[cloth.level], wardrobe.ids[g][k]);
+            }
+        }
+}
+
 /// One garment of two meshes and a finer drawn one, in a wind that gusts.
 struct Hanging {
     explicit Hanging(float budget = 0) {
@@ -222,16 +323,18 @@ TEST(GarmentLevels, AfterABlendBondsAreAsTheyWereBound) {
     ASSERT_TRUE(drawn.save(amid));
     ASSERT_TRUE(drawn.blend(0.5f));
     EXPECT_NEAR(hanging.draw_way(), 0.005f, 1e-5f);
+    ASSERT_TRUE(drawn.begin_blend(view, hanging.places, hanging.normals));
+    EXPECT_LT(hanging.draw_way(), 1e-5f);
     ASSERT_TRUE(drawn.blend(0));
     ASSERT_TRUE(drawn.save(after));
     EXPECT_EQ(before, amid);
     EXPECT_EQ(before, after);
-    EXPECT_FALSE(drawn.blend(1.1f));
-    EXPECT_FALSE(drawn.blend(NAN));
     const auto says = [&](const Result<void>& answer, const char* what) {
         ASSERT_FALSE(answer);
         EXPECT_NE(answer.error().message.find(what), std::string::npos) << answer.error().message;
     };
+    says(drawn.blend(1.1f), "left is 1.1; it must be from 0 to 1");
+    says(drawn.blend(NAN), "left is nan; it must be from 0 to 1");
     says(drawn.begin_blend(view, {}), "0 positions and 0 normals; the drawn mesh has 9409 vertices");
     says(drawn.begin_blend(hanging.world.cloth(hanging.cloths[1]).value(), hanging.places), "another mesh");
     hanging.places[7].x = NAN;
@@ -396,6 +499,29 @@ TEST(GarmentLevels, EndWithTheirMeshes) {
         hanging.run(2);
         EXPECT_EQ(hanging.world.report().flags, StepFlags::none);
     }
+}
+
+/// The garment is not lost with the mesh that is stepped.
+TEST(GarmentLevels, TheNextFinerTakesOverFromOneThatIsRemoved) {
+    Hanging hanging;
+    const ClothId third = hanging.world.add_cloth(curtain(9)).value();
+    ASSERT_TRUE(hanging.world.pin(third, upper_edge(9)));
+    ASSERT_TRUE(hanging.world.add_level(hanging.cloths[0], third));
+    ASSERT_TRUE(hanging.world.set_level(hanging.cloths[0], 2));
+    hanging.run(30);
+    const float out = hanging.world.cloth(third)->bounds.upper.z;
+    ASSERT_GT(out, 0.05f);
+    ASSERT_TRUE(hanging.world.remove_cloth(third));
+    for (const std::size_t left : {1u, 0u}) {
+        EXPECT_TRUE(hanging.world.cloth_settings(hanging.cloths[left])->enabled);
+        EXPECT_NEAR(hanging.world.cloth(hanging.cloths[left])->bounds.upper.z, out, 0.02f);
+        if (left == 1) {
+            EXPECT_EQ(hanging.level(), 1u);
+            ASSERT_TRUE(hanging.world.remove_cloth(hanging.cloths[1]));
+        }
+    }
+    hanging.run(1);
+    EXPECT_EQ(hanging.world.report().cloths, 1u);
 }
 
 TEST(GarmentLevels, ErrorsNameWhatIsWrongAndChangeNothing) {

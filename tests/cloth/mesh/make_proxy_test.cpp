@@ -294,6 +294,39 @@ TEST(MakeProxy, LeavesOutTheLiningBesideFoldedCloth) {
     EXPECT_NEAR(area_of(*proxy) / (area_of(skirt(0)) + area_of(folded)), 1, 0.02);
 }
 
+// A lining that hangs out below the hem at an eighth of it goes on there, and is a layer of its own
+// elsewhere.
+TEST(MakeProxy, LeavesOutALiningThatGoesOnAtLittleOfItsEnds) {
+    Mesh fine = skirt(0.002f);
+    constexpr std::uint32_t layer = (rows + 1) * around, hem = layer + rows * around, flap = around / 8;
+    std::erase_if(fine.triangles, [&](const Triangle& t) {  // rims there
+        std::uint32_t outside = 0, inside = 0;
+        for (const std::uint32_t v : t) {
+            outside += v >= rows * around && v < rows * around + flap + 1 ? 1 : 0;
+            inside += v >= hem && v < hem + flap + 1 ? 1 : 0;
+        }
+        return outside + inside == 3 && outside > 0 && inside > 0;
+    });
+    const auto first = static_cast<std::uint32_t>(fine.positions.size());
+    const std::size_t before = fine.triangles.size();
+    for (std::uint32_t r = 1; r < 8; ++r)
+        for (std::uint32_t c = 0; c <= flap; ++c) {
+            const Vec3& p = fine.positions[hem + c];
+            fine.positions.push_back({p.x, p.y - 0.01f * static_cast<float>(r), p.z});
+        }
+    const auto at = [&](std::uint32_t r, std::uint32_t c) {
+        return r == 0 ? hem + c : first + (r - 1) * (flap + 1) + c;
+    };
+    for (std::uint32_t r = 0; r < 7; ++r)
+        for (std::uint32_t c = 0; c < flap; ++c) {
+            fine.triangles.push_back({at(r, c), at(r, c + 1), at(r + 1, c + 1)});
+            fine.triangles.push_back({at(r, c), at(r + 1, c + 1), at(r + 1, c)});
+        }
+    ProxyReport report;
+    ASSERT_TRUE(make_proxy(fine, {.particles = 900}, &report).ok());
+    EXPECT_NEAR(static_cast<double>(report.left_out_triangles) / static_cast<double>(before), 0.5, 0.05);
+}
+
 TEST(MakeProxy, RefinesACoarseMesh) {
     ProxyReport report;
     const auto proxy = make_proxy(*make_sheet({.rows = 2, .columns = 3}), {.particles = 500}, &report);

@@ -186,6 +186,25 @@ TEST(Replay, IsHarmedByNothingThatARecordHolds) {
     EXPECT_GT(different, 5u);
 }
 
+TEST(Replay, RefusesChoicesOfLevelsThatThereAreNot) {
+    std::size_t choices = 0;
+    for (const Record& record : records_of(recorded())) {
+        if (record.call() != Call::choose) continue;
+        for (const std::uint32_t forged : {most_garment_levels * rung_count, ~0u}) {
+            Bytes bytes(recorded().begin(), recorded().begin() + static_cast<std::ptrdiff_t>(record.end()));
+            std::byte* const last = bytes.data() + record.end() - sizeof forged;
+            std::uint32_t rung = 0;
+            std::memcpy(&rung, last, sizeof rung);
+            ASSERT_LT(rung, most_garment_levels * rung_count);
+            std::memcpy(last, &forged, sizeof forged);
+            seal(bytes, record);
+            EXPECT_FALSE(replay(bytes, {.threads = 1}));
+        }
+        ++choices;
+    }
+    EXPECT_GT(choices, 0u);
+}
+
 #ifndef WEFT_WITHOUT_FILES
 TEST(Replay, SaysWhichFileCannotBeRead) {
     const auto replayed = replay(std::filesystem::path("/no/such/recording"));

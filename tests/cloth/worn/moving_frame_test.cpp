@@ -317,6 +317,20 @@ TEST(MovingFrame, ASpeedLimitOfACloth) {
     for (const Vec4& v : world.cloth(fast)->velocities) EXPECT_GT(xyz(v).norm(), 8);
 }
 
+/// Nothing of the frame is left in the limit.
+TEST(MovingFrame, ASpeedLimitIsInTheWorldAfterTheFrame) {
+    World world = World::create(vacuum()).value();
+    const ClothId cloth = world.add_cloth(hanging(9, 8), {.max_speed_in_frame = 2}).value();
+    for (int k = 0; k < 5; ++k) {
+        ASSERT_TRUE(world.set_frame(cloth, {.translation = {0.5f * static_cast<float>(k), 0, 0}}));
+        world.step(h);
+    }
+    for (const Vec4& v : world.cloth(cloth)->velocities) EXPECT_GT(v.x, 27);
+    ASSERT_TRUE(world.leave_frame(cloth));
+    world.step(h);
+    for (const Vec4& v : world.cloth(cloth)->velocities) EXPECT_LT(xyz(v).norm(), 2.001f);
+}
+
 TEST(MovingFrame, RefusesWhatIsNoPose) {
     World world = World::create(vacuum()).value();
     const ClothId cloth = world.add_cloth(sheet(4, 4)).value();
