@@ -149,7 +149,7 @@ void Simulation::set_level(Garment& garment, std::uint32_t level, std::uint32_t 
 
 void Simulation::refine_from(const Cloth& cloth) {
     if (cloth.level > 0 && state.levels[cloth.garment] == cloth.level)
-        set_level(garments[cloth.garment], cloth.level - 1, 0);
+        parallel.lend([&] { set_level(garments[cloth.garment], cloth.level - 1, 0); });
 }
 
 void Simulation::take_chosen_levels() {

@@ -207,6 +207,7 @@ void count_still_time(Cloth& cloth, float dt) {
     float& still_for = cloth.state.rest->still_for;
     // The mean's part of the limit is small, so that cloth that begins to slide stays awake.
     constexpr float as_a_whole = 0.25f;
+    // One particle of four times the limit is a group's limit by itself, and spares the sums.
     const bool is_still =
         !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < 16 * limit * limit &&
         peak_speed_of_groups(cloth.state) < limit && mean_speed(cloth.state) < as_a_whole * limit;

@@ -142,7 +142,7 @@ Result<void> World::remove_cloth(ClothId id) {
         Simulation& simulation = impl_->simulation;
         auto* const cloth = simulation.cloths.find(id);
         if (cloth == nullptr) return stale_id("ClothId", id);
-        simulation.parallel.lend([&] { simulation.refine_from(**cloth); });
+        simulation.refine_from(**cloth);
         std::vector<SeamId> seams;
         for (const SeamRows* seam : (*cloth)->seams) seams.push_back(seam->id());
         simulation.remove_seams(seams);
