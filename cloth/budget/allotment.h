@@ -12,8 +12,8 @@
 
 namespace weft {
 
-/// What a cloth costs on a rung, in the unit of the time, and its error there. Of a garment with levels, the
-/// rungs of the coarser ones follow.
+/// A cloth's cost on a rung, in the unit of the time, and its error there. A garment with levels has the
+/// rungs of its coarser ones behind those of the finest.
 struct Offer {
     float cost = 0, error = 0;
 };

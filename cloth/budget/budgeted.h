@@ -23,7 +23,7 @@ class RungCosts {
     /// The cloth changed its rung: the new one's samples count from 0.
     void change_rung() noexcept { samples_ = 0; }
     [[nodiscard]] const std::array<float, rung_count>& all() const noexcept { return costs_; }
-    /// Whether a step on some rung was measured.
+    /// Returns whether a step on some rung was measured.
     [[nodiscard]] bool are_measured() const noexcept { return known_[0] || known_[1] || known_[2]; }
 
   private:

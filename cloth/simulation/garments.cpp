@@ -44,13 +44,8 @@ void carry_record(const ClothState& from, const DrawnMesh& bonds, Cloth& to) {
     for (std::size_t v = 0; v < bonds.size(); ++v) {
         const DrawnBond& bond = bonds.bonds()[v];
         const std::uint32_t i = to.model.vertex_to_particle[v];
-        const auto carry = [&](const AlignedBuffer<Vec4>& of, AlignedBuffer<Vec4>& there) {
-            const auto at = [&](std::size_t c) { return xyz(of[bond.particles[c]]); };
-            set_xyz(there[i],
-                    (1 - bond.second - bond.third) * at(0) + bond.second * at(1) + bond.third * at(2));
-        };
-        carry(from.record.displacements, record.displacements);
-        carry(from.record.velocity_changes, record.velocity_changes);
+        set_xyz(record.displacements[i], interpolated(bond, from.record.displacements));
+        set_xyz(record.velocity_changes[i], interpolated(bond, from.record.velocity_changes));
         record.arrivals[i] = to.state.positions[i];
     }
 }

@@ -28,7 +28,8 @@ const Cloth& level_of(const Simulation& world, const Cloth& cloth, std::uint32_t
     return **world.cloths.find(world.garments[cloth.garment].levels[level]);
 }
 
-/// What a cloth costs on each rung; of a level that was never stepped, by its size beside the present one's.
+/// Returns the cost of a cloth on each rung. That of a level that was never stepped is guessed by its size
+/// beside the present one's.
 std::array<float, rung_count> costs_of(const Cloth& level, const Cloth& present) {
     std::array<float, rung_count> costs = level.budgeted->costs.all();
     if (&level == &present || level.budgeted->costs.are_measured()) return costs;

@@ -53,14 +53,15 @@ float mean_speed(const ClothState& state) {
     return static_cast<float>(sum.norm() / static_cast<double>(state.size()));
 }
 
-/// Greatest speed of sixteen particles that follow one another, rms [m/s]: one that trembles alone hardly
-/// counts.
+/// Particles whose speeds are taken together: one that trembles alone hardly counts.
+constexpr std::size_t group_size = 16;
+
+/// Returns the greatest speed of a group of particles that follow one another, rms [m/s].
 float peak_speed_of_groups(const ClothState& state) {
     const std::span<const Vec4> velocities = std::as_const(state.velocities).span();
     float most = 0;
-    for (std::size_t first = 0; first < velocities.size(); first += 16) {
-        const std::span group =
-            velocities.subspan(first, std::min<std::size_t>(16, velocities.size() - first));
+    for (std::size_t first = 0; first < velocities.size(); first += group_size) {
+        const std::span group = velocities.subspan(first, std::min(group_size, velocities.size() - first));
         float sum = 0;
         for (const Vec4& v : group) sum += xyz(v).squaredNorm();
         most = std::max(most, sum / static_cast<float>(group.size()));
@@ -207,9 +208,10 @@ void count_still_time(Cloth& cloth, float dt) {
     float& still_for = cloth.state.rest->still_for;
     // The mean's part of the limit is small, so that cloth that begins to slide stays awake.
     constexpr float as_a_whole = 0.25f;
-    // One particle of four times the limit is a group's limit by itself, and spares the sums.
+    // A particle faster than this puts its group above the limit by itself, and the sums are spared.
+    const float most_squared = static_cast<float>(group_size) * limit * limit;
     const bool is_still =
-        !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < 16 * limit * limit &&
+        !cloth.restored && !cloth.meets_bodies && cloth.extent.peak_speed_squared < most_squared &&
         peak_speed_of_groups(cloth.state) < limit && mean_speed(cloth.state) < as_a_whole * limit;
     still_for = is_still ? still_for + dt : 0.0f;
     // Particles that are pushed out of a collider move without a velocity.

@@ -27,11 +27,8 @@ void SurfaceState::carry(const ClothView& from, const DrawnMesh& bonds) {
     write(from, positions);
     write(before, previous_positions);
     velocities.clear();
-    for (const DrawnBond& bond : bonds.bonds()) {
-        const auto velocity = [&](std::size_t c) { return xyz(from.velocities[bond.particles[c]]); };
-        velocities.push_back(to_vec3((1 - bond.second - bond.third) * velocity(0) +
-                                     bond.second * velocity(1) + bond.third * velocity(2)));
-    }
+    for (const DrawnBond& bond : bonds.bonds())
+        velocities.push_back(to_vec3(interpolated(bond, from.velocities)));
 }
 
 Result<void> carry_state(World& world, ClothId from, ClothId to, const DrawnMesh& bonds) {

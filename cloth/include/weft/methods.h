@@ -42,8 +42,8 @@ struct ConjugateGradient {
 struct Multilevel {
     /// Linearisations, 1 to 100000. Where the residual is large up to two more are added, and up to eight
     /// where it is above the tolerance. Where it is no small part of the motion, as in cloth that comes to
-    /// rest, the last one has up to four cycles more. 3 bring a sheet of 65 x 65 to 18 mm from the reference after 0.5 s, 1
-    /// to 22 mm.
+    /// rest, the last one has up to four cycles more. 3 bring a sheet of 65 x 65 to 18 mm from the reference
+    /// after 0.5 s, 1 to 22 mm.
     int passes = 3;
     /// Residual that the last pass may leave, as the acceleration that would do the same work [m/s^2], rms
     /// over the cloth's mass, 0 to 1e9. Above it StepFlags::unsolved is set; above a seventh of it passes are

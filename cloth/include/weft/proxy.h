@@ -14,9 +14,9 @@ struct ProxySettings {
     /// borders have not more by themselves.
     std::uint32_t particles = 3000;
     /// Greatest thickness of a doubled mesh [m], 0 to 1: where two layers that face away from each other are
-    /// nearer, the one of less area is left out. A layer stays that goes on at an end, since the mesh is folded
-    /// there; where it ends at rims, over which the other layer begins, the mesh is doubled. 0: all layers
-    /// stay.
+    /// nearer, the one of less area is left out. A layer stays that goes on at an end, since the mesh is
+    /// folded there; where it ends at rims, over which the other layer begins, the mesh is doubled. 0: all
+    /// layers stay.
     float thickness = 0.004f;
 };
 

@@ -114,8 +114,8 @@ struct ClothSettings {
     /// may be pinned and set meanwhile. See World::set_enabled.
     bool enabled = true;
     /// Cloth falls asleep if for half a second no sixteen particles that follow one another have been faster
-    /// than this, rms [m/s], 0 to 1000, and the mean of all velocities has not been above a quarter of it: one
-    /// particle that trembles keeps nothing awake. It stands still, presses on nothing and costs next to
+    /// than this, rms [m/s], 0 to 1000, and the mean of all velocities has not been above a quarter of it:
+    /// one particle that trembles keeps nothing awake. It stands still, presses on nothing and costs next to
     /// nothing until a pin moves, a collider near it or under it moves, leaves or changes, awake cloth comes
     /// near, the wind, gravity or its settings change, or World::wake. Cloths that may touch sleep together.
     /// In gusts no cloth sleeps. 0: it never sleeps; so set it where cloth is to drift slowly, without

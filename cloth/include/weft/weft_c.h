@@ -261,7 +261,7 @@ WEFT_API size_t weft_drawn_mesh_size(const WeftDrawnMesh* mesh);
 WEFT_API WeftResult weft_drawn_mesh_update(const WeftDrawnMesh* mesh, const WeftWorld* world,
                                            WeftClothId cloth, WeftVec4* positions, WeftVec4* normals,
                                            WeftVec4* tangents, size_t first, size_t count);
-// One position and one normal a vertex; normals may be null.
+// There is one position and one normal for each vertex; normals may be null.
 WEFT_API WeftResult weft_drawn_mesh_begin_blend(WeftDrawnMesh* mesh, const WeftWorld* world,
                                                 WeftClothId cloth, const WeftVec4* positions,
                                                 const WeftVec4* normals);

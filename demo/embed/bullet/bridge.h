@@ -21,6 +21,21 @@ inline btVector3 to_bullet(const weft::Vec3& v) {
     return {v.x, v.y, v.z};
 }
 
+// A world of Bullet's with a level ground, in gravity.
+struct BulletWorld {
+    BulletWorld() {
+        world.setGravity({0, btScalar(-9.81), 0});
+        world.addRigidBody(&ground);
+    }
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    btStaticPlaneShape ground_shape{{0, 1, 0}, 0};
+    btRigidBody ground{0, nullptr, &ground_shape};
+};
+
 // The bridge: Bullet moves a body, and Weft tells it what the cloth gave. Both know of gravity, so that
 // Weft's equation of cloth and body is whole; Bullet's integration then repeats the motion that Weft
 // expected.

@@ -10,14 +10,8 @@
 int main() {
     constexpr float dt = 1.0f / 60, mass = 3, half = 0.12f, height = 0.9f, side = 1.2f;
 
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher(&configuration);
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld bullet(&dispatcher, &broadphase, &solver, &configuration);
-    bullet.setGravity({0, btScalar(-9.81), 0});
-    btStaticPlaneShape ground_shape({0, 1, 0}, 0);
-    btRigidBody ground(0, nullptr, &ground_shape);
+    BulletWorld of_bullet;
+    btDiscreteDynamicsWorld& bullet = of_bullet.world;
     btBoxShape box_shape({half, half, half});
     btVector3 inertia;
     box_shape.calculateLocalInertia(mass, inertia);
@@ -25,7 +19,6 @@ int main() {
     box.setWorldTransform(
         btTransform(btQuaternion(btScalar(0.13), 0, btScalar(0.1), btScalar(0.986)).normalized(),
                     {btScalar(0.03), height + btScalar(0.6), 0}));
-    bullet.addRigidBody(&ground);
     bullet.addRigidBody(&box);
 
     weft::World world = need(weft::World::create());

@@ -56,15 +56,8 @@ btTransform joint_at(const btRigidBody& body, const btVector3& place) {
 }  // namespace
 
 int main() {
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher(&configuration);
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld bullet(&dispatcher, &broadphase, &solver, &configuration);
-    bullet.setGravity({0, btScalar(-9.81), 0});
-    btStaticPlaneShape ground_shape({0, 1, 0}, 0);
-    btRigidBody ground(0, nullptr, &ground_shape);
-    bullet.addRigidBody(&ground);
+    BulletWorld of_bullet;
+    btDiscreteDynamicsWorld& bullet = of_bullet.world;
 
     const auto point = [](double x, double y) { return btVector3(btScalar(x), btScalar(y), 0); };
     std::array<Limb, 6> limbs{
@@ -104,7 +97,7 @@ int main() {
     for (std::uint32_t column = 0; column < columns; ++column) waist.push_back(column);
     need(world.attach(bridges.front().id(), skirt, waist));
 
-    // Of limbs and skirt: momentum along y [N s], and kinetic energy [J].
+    // Returns the momentum of limbs and skirt along y [N s], and their kinetic energy [J].
     const auto motion = [&] {
         std::array<double, 2> sum{};
         for (const Limb& limb : limbs) {

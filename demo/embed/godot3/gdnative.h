@@ -1,6 +1,6 @@
 #pragma once
-// What this host uses of GDNative, the interface of Godot 3 for C. Debian has no header of it, so that the
-// functions stand here by their places in the interface's table, which is the same in all of Godot 3.
+// The part of GDNative, Godot 3's interface for C, that this host uses. Debian has no header of it, so that
+// the functions stand here by their places in the interface's table, which is the same in all of Godot 3.
 
 #include <cstddef>
 #include <cstdint>

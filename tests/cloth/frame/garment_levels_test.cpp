@@ -231,7 +231,7 @@ TEST(GarmentLevels, OthersStayWhenOneEnds) {
         }
 }
 
-/// One garment of two meshes and a finer drawn one, in a wind that gusts.
+/// A garment of two meshes and a finer drawn one hangs in a wind that gusts.
 struct Hanging {
     explicit Hanging(float budget = 0) {
         EXPECT_TRUE(world.set_settings(
@@ -273,7 +273,7 @@ struct Hanging {
     std::vector<Vec4> places, normals;
 };
 
-/// What jumps without a blend is the folds that the coarse mesh does not have; with one, nothing does.
+/// Folds that the coarse mesh does not have jump without a blend; with one, nothing jumps.
 TEST(GarmentLevels, ABlendHidesThatAnotherMeshTakesOver) {
     constexpr int steps_of_blend = 15;
     Hanging hanging;

@@ -541,7 +541,8 @@ TEST(SleepByDefault, SheetsLaidOverABallInPleatsSleep) {
     EXPECT_LE(awake, 1) << "before, all were";
 }
 
-/// Whether a cloth of loose particles falls asleep of which the first `count` move at this speed [m/s].
+/// Returns whether a cloth of loose particles falls asleep, of which the first `count` move at this speed
+/// [m/s].
 bool sleeps_though_some_move(std::uint32_t count, float speed) {
     World space = World::create(vacuum()).value();
     const ClothId loose =
