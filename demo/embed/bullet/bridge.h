@@ -21,7 +21,8 @@ inline btVector3 to_bullet(const weft::Vec3& v) {
     return {v.x, v.y, v.z};
 }
 
-// A world of Bullet's with a level ground, in gravity.
+// A world of Bullet's with a level ground, in gravity. The world's end looks at its bodies, so that the
+// ground stands before it, and hosts take their own bodies out.
 struct BulletWorld {
     BulletWorld() {
         world.setGravity({0, btScalar(-9.81), 0});
@@ -31,9 +32,9 @@ struct BulletWorld {
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
     btStaticPlaneShape ground_shape{{0, 1, 0}, 0};
     btRigidBody ground{0, nullptr, &ground_shape};
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
 };
 
 // The bridge: Bullet moves a body, and Weft tells it what the cloth gave. Both know of gravity, so that

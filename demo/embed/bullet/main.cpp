@@ -55,6 +55,5 @@ int main() {
     const bool holds = std::abs(borne - weight) < 0.05 * weight && rest > 0.5 &&
                        highest_after > lowest + 0.1 && highest_after < double(height) + 0.6;
     bullet.removeRigidBody(&box);
-    bullet.removeRigidBody(&ground);
     return holds ? 0 : 1;
 }

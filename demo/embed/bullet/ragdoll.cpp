@@ -147,6 +147,7 @@ int main() {
         in_flight, expected, lowest, at_last, crossings);
     const bool holds = std::abs(in_flight - expected) < 0.02 * std::abs(expected) && lowest > -0.01 &&
                        at_last < 0.05 && crossings == 0;
-    joints.clear();
+    for (const auto& joint : joints) bullet.removeConstraint(joint.get());
+    for (Limb& limb : limbs) bullet.removeRigidBody(&*limb.body);
     return holds ? 0 : 1;
 }
