@@ -80,12 +80,17 @@ void set_look_uniforms(const Program& program, const FabricLook& look) {
     program.set("roughness", look.roughness);
     program.set("sheen", look.sheen);
     program.set("translucency", look.translucency);
+    program.set("opacity", std::clamp(look.opacity, 0.0f, 1.0f));
     const bool threads = look.threads != Threads::none && look.thread_width > 0;
     program.set("threads_per_metre", threads ? 1e3f / look.thread_width : 0.0f);
     program.set("threads", static_cast<int>(look.threads));
     program.set("shine", look.shine);
     program.set("shine_width", std::clamp(look.shine_width, 0.02f, 1.0f));
     program.set("stripe_width", look.stripe_width);
+}
+
+bool is_ghost(const ClothMesh& cloth) {
+    return cloth.look.opacity < 1;
 }
 
 }  // namespace
@@ -122,6 +127,7 @@ struct SceneRenderer::Impl {
     void draw_ground() const;
     void draw_solids(const Program& program, const Matrix4f& clip) const;
     void draw_cloths(const Matrix4f& clip, float alpha) const;
+    void draw_ghosts(const Matrix4f& clip, float alpha) const;
     void draw_cloth_lines(const Matrix4f& clip, float alpha) const;
     void draw_lines(std::span<const DrawnLine> lines);
     void draw_maps(const LightFrame& sun, const LightFrame& sky, const View& view, const Quality& quality);
@@ -172,6 +178,7 @@ void SceneRenderer::Impl::draw_scene(const View& view, const Matrix4f& clip) {
     draw_cloths(clip, view.alpha);
     if (view.ground) draw_ground();
     draw_sky();
+    draw_ghosts(clip, view.alpha);
     if (view.wireframe) draw_cloth_lines(clip, view.alpha);
     draw_lines(view.lines);
 }
@@ -225,7 +232,8 @@ void SceneRenderer::Impl::draw_depth(const DepthMap& map, const LightFrame& ligh
     glDisable(GL_CULL_FACE);
     programs.cloth_depth.use();
     programs.cloth_depth.set("clip", to_matrix4(light.clip_from_world));
-    for (const auto& [handle, cloth] : cloths) cloth.draw(programs.cloth_depth, alpha);
+    for (const auto& [handle, cloth] : cloths)
+        if (!is_ghost(cloth)) cloth.draw(programs.cloth_depth, alpha);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -256,9 +264,34 @@ void SceneRenderer::Impl::draw_cloths(const Matrix4f& clip, float alpha) const {
     programs.cloth.use();
     programs.cloth.set("clip", to_matrix4(clip));
     for (const auto& [handle, cloth] : cloths) {
+        if (is_ghost(cloth)) continue;
         set_look_uniforms(programs.cloth, cloth.look);
-        cloth.draw(programs.cloth, alpha);
+        cloth.draw_shaded(programs.cloth, alpha);
     }
+}
+
+/// Draws of each ghost the layer that is nearest to the eye, once. Cloth that lies in the same place hides
+/// it.
+void SceneRenderer::Impl::draw_ghosts(const Matrix4f& clip, float alpha) const {
+    if (std::ranges::none_of(cloths, [](const auto& each) { return is_ghost(each.second); })) return;
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0f, 4.0f);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    programs.cloth_depth.use();
+    programs.cloth_depth.set("clip", to_matrix4(clip));
+    for (const auto& [handle, cloth] : cloths)
+        if (is_ghost(cloth)) cloth.draw(programs.cloth_depth, alpha);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    programs.cloth.use();
+    for (const auto& [handle, cloth] : cloths) {
+        if (!is_ghost(cloth)) continue;
+        set_look_uniforms(programs.cloth, cloth.look);
+        cloth.draw_shaded(programs.cloth, alpha);
+    }
+    glDisable(GL_BLEND);
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void SceneRenderer::Impl::draw_cloth_lines(const Matrix4f& clip, float alpha) const {
@@ -269,7 +302,8 @@ void SceneRenderer::Impl::draw_cloth_lines(const Matrix4f& clip, float alpha) co
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     programs.cloth_lines.use();
     programs.cloth_lines.set("clip", to_matrix4(clip));
-    for (const auto& [handle, cloth] : cloths) cloth.draw(programs.cloth_lines, alpha);
+    for (const auto& [handle, cloth] : cloths)
+        if (!is_ghost(cloth)) cloth.draw(programs.cloth_lines, alpha);
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_LINE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -44,6 +44,7 @@ class GltfAssetReader {
         for (std::size_t n = 0; n < model_.nodes.size(); ++n)
             if (auto read = read_node(n); !read) return read.error();
         if (asset_.parts_.empty() && !asset_.left_out_.empty()) return asset_.left_out_.front().fault;
+        asset_.pictures_ = std::move(model_.pictures);
         motion_.animation = *std::move(animation);
         model_.buffers.clear();
         motion_.model = std::move(model_);
@@ -146,7 +147,10 @@ class GltfAssetReader {
         if (primitive.fault) return *primitive.fault;
         GltfPart part;
         part.material = material_of(primitive);
-        if (primitive.material) part.colour = model_.materials[*primitive.material].colour;
+        if (primitive.material) {
+            part.colour = model_.materials[*primitive.material].colour;
+            part.picture = model_.materials[*primitive.material].picture;
+        }
         const auto of_positions = needed(primitive, "POSITION");
         if (!of_positions) return of_positions.error();
         const auto bound = gltf_numbers(model_, *of_positions, 3);
@@ -246,7 +250,8 @@ class GltfAssetReader {
     }
 
     Result<void> read_texcoords(const GltfPrimitive& primitive, std::size_t vertices, Mesh& mesh) const {
-        const auto found = primitive.attribute("TEXCOORD_0");
+        const std::size_t set = primitive.material ? model_.materials[*primitive.material].texcoords : 0;
+        const auto found = primitive.attribute("TEXCOORD_" + std::to_string(set));
         if (!found) return {};
         const auto numbers = gltf_numbers(model_, *found, 2);
         if (!numbers) return numbers.error();

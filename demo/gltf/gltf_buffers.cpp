@@ -157,6 +157,33 @@ Result<std::vector<GltfBytes>> load_buffers(const GltfFields& file, const std::f
     return buffers;
 }
 
+std::vector<GltfPicture> load_pictures(const GltfFields& file, const std::filesystem::path& folder,
+                                       const GltfModel& model) {
+    // Many pictures of a small file may name the same bytes.
+    constexpr std::size_t most_picture_bytes = std::size_t{1} << 30;
+    std::vector<GltfPicture> pictures;
+    std::size_t all = 0;
+    for (const GltfFields& image : file.objects("images")) {
+        GltfPicture picture{.name = image.text("name")};
+        const std::string uri = image.text("uri");
+        const auto view = image.index("bufferView", model.views.size());
+        if (!uri.empty()) {
+            auto bytes = read_uri(uri, folder);
+            if (bytes) picture.bytes = *std::move(bytes);
+            if (!uri.starts_with("data:")) picture.name = decode_percent(uri);
+        } else if (view && *view < model.views.size() &&
+                   model.views[*view].bytes <= most_picture_bytes - all) {
+            const GltfView& of = model.views[*view];
+            const unsigned char* const first = model.buffers[of.buffer].data() + of.offset;
+            picture.bytes.assign(first, first + of.bytes);
+        }
+        if (picture.bytes.size() > most_picture_bytes - all) picture.bytes = {};
+        all += picture.bytes.size();
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
 namespace {
 
 // The limit is on all buffers together, since many primitives may name the same compressed data.

@@ -32,6 +32,11 @@ struct GltfContainer {
                                                           const std::filesystem::path& folder,
                                                           std::optional<std::string_view> binary);
 
+/// The `images` of a file in `folder`, of which those that cannot be read have no bytes.
+[[nodiscard]] std::vector<GltfPicture> load_pictures(const GltfFields& file,
+                                                     const std::filesystem::path& folder,
+                                                     const GltfModel& model);
+
 /// Is true if Weft was built with Draco.
 extern const bool has_draco;
 

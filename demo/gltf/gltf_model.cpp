@@ -44,6 +44,8 @@ class ModelReader {
         for (const GltfFields& each : file_.objects("accessors")) model_.accessors.push_back(accessor(each));
         for (const GltfFields& each : file_.objects("nodes")) model_.nodes.push_back(node(each));
         link_nodes();
+        for (const GltfFields& each : file_.objects("textures"))
+            pictures_.push_back(each.index("source", file_.size("images")));
         for (const GltfFields& each : file_.objects("materials")) model_.materials.push_back(material(each));
         for (const GltfFields& each : file_.objects("meshes")) model_.meshes.push_back(mesh(each));
         for (const GltfFields& each : file_.objects("skins")) model_.skins.push_back(skin(each));
@@ -193,10 +195,15 @@ class ModelReader {
                        ", which is its own ancestor or has one that is");
     }
 
-    static GltfMaterial material(const GltfFields& from) {
+    GltfMaterial material(const GltfFields& from) const {
+        constexpr std::size_t last_set = 7;
         GltfMaterial material;
         material.name = from.text("name");
-        const auto c = from.object("pbrMetallicRoughness").numbers("baseColorFactor", 4);
+        const GltfFields shading = from.object("pbrMetallicRoughness");
+        const GltfFields texture = shading.object("baseColorTexture");
+        if (const auto index = texture.index("index", pictures_.size())) material.picture = pictures_[*index];
+        material.texcoords = texture.whole("texCoord", 0, last_set);
+        const auto c = shading.numbers("baseColorFactor", 4);
         const auto part = [&](std::size_t k) { return static_cast<float>(std::clamp(c[k], 0.0, 1.0)); };
         if (!c.empty()) material.colour = Vec3{part(0), part(1), part(2)};
         return material;
@@ -263,6 +270,7 @@ class ModelReader {
     }
 
     const GltfFields& file_;
+    std::vector<std::optional<std::size_t>> pictures_;  // of textures
     GltfModel model_;
 };
 
@@ -290,6 +298,8 @@ Result<GltfModel> read_model(const GltfContainer& container, const std::filesyst
     if (error) return *error;
     if (!buffers) return buffers.error();
     GltfModel model = ModelReader(file, *std::move(buffers)).read();
+    if (error) return *error;
+    model.pictures = load_pictures(file, folder, model);
     if (error) return *error;
     if (auto decoded = decode_draco(model); !decoded) return decoded.error();
     return model;

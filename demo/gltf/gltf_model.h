@@ -11,6 +11,7 @@
 
 #include "engine/vector.h"
 #include "weft/error.h"
+#include "weft/gltf.h"
 
 namespace weft {
 
@@ -76,7 +77,9 @@ struct GltfPrimitive {
 
 struct GltfMaterial {
     std::string name;
-    std::optional<Vec3> colour;  ///< linear RGB, 0 to 1
+    std::optional<Vec3> colour;          ///< linear RGB, 0 to 1
+    std::optional<std::size_t> picture;  ///< of the base colour, in GltfModel::pictures
+    std::size_t texcoords = 0;           ///< set of coordinates that the picture uses: TEXCOORD_0 ...
 };
 
 struct GltfSkin {
@@ -101,14 +104,15 @@ struct GltfModel {
     std::vector<std::size_t> parents_first;  ///< all nodes, each after its parent
     std::vector<std::vector<GltfPrimitive>> meshes;
     std::vector<GltfMaterial> materials;
+    std::vector<GltfPicture> pictures;
     std::vector<GltfSkin> skins;
     std::vector<GltfTrack> animation;  ///< tracks of the first one, at most one for each node and path
 };
 
-/// Reads .gltf and .glb, told apart by their first bytes, and the buffers that they name. Cameras, lights and
-/// pictures are ignored. Errors name the file and the value: what cannot be read or is no glTF 2, a value
-/// of the wrong kind or out of its range, an index that leads nowhere, a range beyond its buffer, a node that
-/// has two parents or is its own ancestor.
+/// Reads .gltf and .glb, told apart by their first bytes, and the buffers and pictures that they name.
+/// Cameras and lights are ignored. Errors name the file and the value: what cannot be read or is no glTF 2, a
+/// value of the wrong kind or out of its range, an index that leads nowhere, a range beyond its buffer, a
+/// node that has two parents or is its own ancestor.
 [[nodiscard]] Result<GltfModel> read_gltf_model(const std::filesystem::path& file);
 
 }  // namespace weft

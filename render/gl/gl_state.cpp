@@ -122,7 +122,7 @@ SavedBindings::~SavedBindings() {
 }
 
 SavedUnits::SavedUnits() {
-    static_assert(units == unit::colours + 1);
+    static_assert(units == unit::print + 1);
     const GLint active = integer(GL_ACTIVE_TEXTURE);
     for (std::size_t i = 0; i < units; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));

@@ -46,7 +46,7 @@ class SavedUnits {
     ~SavedUnits();
 
   private:
-    static constexpr std::size_t units = 8;
+    static constexpr std::size_t units = 9;
     std::array<GLint, units> textures_{}, samplers_{};
     GLint block_buffer_ = 0;
     GLint64 block_start_ = 0, block_size_ = 0;

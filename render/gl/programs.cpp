@@ -19,6 +19,7 @@ constexpr std::pair<const char*, int> samplers[] = {
     {"normals", unit::normals},
     {"picture", unit::picture},
     {"colours", unit::colours},
+    {"print", unit::print},
 };
 
 struct Recipe {

@@ -28,7 +28,17 @@ constexpr GLuint frame_binding = 0;
 
 /// Texture units; the sampler uniforms of every program are set to them once.
 namespace unit {
-enum : int { sun_compare, sun_depth, sky_depth, positions, previous_positions, normals, picture, colours };
+enum : int {
+    sun_compare,
+    sun_depth,
+    sky_depth,
+    positions,
+    previous_positions,
+    normals,
+    picture,
+    colours,
+    print
+};
 }
 
 struct Programs {

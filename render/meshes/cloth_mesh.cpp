@@ -1,5 +1,6 @@
 #include "render/meshes/cloth_mesh.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 
@@ -13,6 +14,22 @@ Box box_of(std::span<const Vec4> points) {
     Box box;
     for (const Vec4& p : points) box.extend(xyz(p));
     return box;
+}
+
+/// A picture that repeats, in sRGB, with levels for cloth far away.
+Texture texture_of(const Image& image) {
+    assert(image.rgb.size() ==
+           3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    Texture texture = Texture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 image.rgb.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return texture;
 }
 
 }  // namespace
@@ -53,10 +70,7 @@ std::vector<ClothMesh::Vertex> ClothMesh::vertices_of(const ClothSurface& surfac
 }
 
 ClothMesh::ClothMesh(const ClothSurface& surface)
-    : look(surface.look),
-      vertex_array_(VertexArray::make()),
-      index_count_(static_cast<GLsizei>(3 * surface.triangles.size())),
-      textured_(!surface.texcoords.empty()) {
+    : look(surface.look), vertex_array_(VertexArray::make()), textured_(!surface.texcoords.empty()) {
     assert(surface.texcoords.empty() || surface.texcoords.size() == surface.vertex_to_particle.size());
     glBindVertexArray(vertex_array_.id());
     vertices_ = static_buffer<Vertex>(GL_ARRAY_BUFFER, vertices_of(surface));
@@ -66,8 +80,36 @@ ClothMesh::ClothMesh(const ClothSurface& surface)
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
                           reinterpret_cast<const void*>(offsetof(Vertex, texcoord)));
-    indices_ = static_buffer(GL_ELEMENT_ARRAY_BUFFER, surface.triangles);
+    const std::vector<std::array<std::uint32_t, 3>> triangles = take_parts(surface);
+    index_count_ = static_cast<GLsizei>(3 * triangles.size());
+    indices_ = static_buffer<std::array<std::uint32_t, 3>>(GL_ELEMENT_ARRAY_BUFFER, triangles);
     glBindVertexArray(0);
+}
+
+std::vector<std::array<std::uint32_t, 3>> ClothMesh::take_parts(const ClothSurface& surface) {
+    std::vector<std::array<std::uint32_t, 3>> sorted(surface.triangles.begin(), surface.triangles.end());
+    if (surface.parts.empty() || surface.part_of_triangle.size() != sorted.size()) return sorted;
+    sorted.clear();
+    std::vector<const Image*> known;
+    for (std::size_t k = 0; k < surface.parts.size(); ++k) {
+        const ClothPart& from = surface.parts[k];
+        Part part{.first = static_cast<GLsizei>(3 * sorted.size()), .front = from.front, .back = from.back};
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+            if (surface.part_of_triangle[t] == k) sorted.push_back(surface.triangles[t]);
+        part.count = static_cast<GLsizei>(3 * sorted.size()) - part.first;
+        if (part.count == 0) continue;
+        const Image* const image = textured_ ? from.picture.get() : nullptr;
+        if (image != nullptr) {
+            const auto found = std::ranges::find(known, image);
+            part.picture = static_cast<std::size_t>(found - known.begin()) + 1;
+            if (found == known.end()) {
+                known.push_back(image);
+                pictures_.push_back(texture_of(*image));
+            }
+        }
+        parts_.push_back(part);
+    }
+    return sorted;
 }
 
 void ClothMesh::stream(const ClothFrame& frame) {
@@ -82,8 +124,8 @@ void ClothMesh::stream(const ClothFrame& frame) {
     bounds_.extend(box_of(frame.previous_positions));
 }
 
-void ClothMesh::draw(const Program& program, float alpha) const {
-    if (bounds_.isEmpty()) return;  // nothing streamed yet
+bool ClothMesh::bind(const Program& program, float alpha) const {
+    if (bounds_.isEmpty()) return false;  // nothing streamed yet
     positions_.bind(unit::positions);
     previous_positions_.bind(unit::previous_positions);
     normals_.bind(unit::normals);
@@ -92,7 +134,29 @@ void ClothMesh::draw(const Program& program, float alpha) const {
     program.set("alpha", alpha);
     program.set("textured", textured_ ? 1 : 0);
     glBindVertexArray(vertex_array_.id());
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    return true;
+}
+
+void ClothMesh::draw(const Program& program, float alpha) const {
+    if (bind(program, alpha)) glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+void ClothMesh::draw_shaded(const Program& program, float alpha) const {
+    program.set("printed", 0);
+    if (parts_.empty()) return draw(program, alpha);
+    if (!bind(program, alpha)) return;
+    for (const Part& part : parts_) {
+        program.set("front", part.front);
+        program.set("back", part.back);
+        program.set("printed", part.picture > 0 ? 1 : 0);
+        if (part.picture > 0) {
+            glActiveTexture(GL_TEXTURE0 + unit::print);
+            glBindTexture(GL_TEXTURE_2D, pictures_[part.picture - 1].id());
+        }
+        glDrawElements(
+            GL_TRIANGLES, part.count, GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(sizeof(std::uint32_t) * static_cast<std::size_t>(part.first)));
+    }
 }
 
 }  // namespace weft::render

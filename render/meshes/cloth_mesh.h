@@ -30,6 +30,9 @@ class ClothMesh {
     void stream(const ClothFrame& frame);
     /// Precondition: a program made of cloth.vert is in use.
     void draw(const Program& program, float alpha) const;
+    /// Draws each part in its colours. Precondition: the program that shades cloth is in use, with the look's
+    /// uniforms.
+    void draw_shaded(const Program& program, float alpha) const;
 
     [[nodiscard]] const Box& bounds() const noexcept { return bounds_; }  ///< box round both position buffers
 
@@ -40,12 +43,23 @@ class ClothMesh {
         Vec2 texcoord;
         std::uint32_t particle;
     };
+    /// Triangles of one part, side by side in the index buffer.
+    struct Part {
+        GLsizei first = 0, count = 0;  // indices
+        Vec3 front, back;
+        std::size_t picture = 0;  // in pictures_, from 1; 0: none
+    };
     [[nodiscard]] static std::vector<Vertex> vertices_of(const ClothSurface& surface);
+    /// The triangles, those of one part after the other.
+    [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> take_parts(const ClothSurface& surface);
+    [[nodiscard]] bool bind(const Program& program, float alpha) const;
 
     VertexArray vertex_array_;
     Buffer vertices_, indices_;
     GLsizei index_count_ = 0;
     bool textured_ = false;
+    std::vector<Part> parts_;  // empty: all triangles have the look's colours
+    std::vector<Texture> pictures_;
     ParticleTexture positions_, previous_positions_, normals_, colours_;
     bool coloured_ = false;
     Box bounds_;

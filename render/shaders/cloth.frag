@@ -6,9 +6,10 @@ in vec4 shown;
 out vec4 pixel;
 
 uniform vec3 front, back, stripe;
-uniform float roughness, sheen, translucency;
+uniform float roughness, sheen, translucency, opacity;
 uniform float threads_per_metre, stripe_width, shine, shine_width;
-uniform int textured, threads;
+uniform int textured, threads, printed;
+uniform sampler2D print;
 
 // Surface vectors along u and v, the longer one of length 1, without stored tangents (Mikkelsen 2010).
 struct Axes {
@@ -57,6 +58,11 @@ void main() {
 
     vec3 albedo = gl_FrontFacing ? front : back;
     vec3 through = sqrt(front * back);
+    if (printed != 0) {
+        vec3 ink = texture(print, vec2(texcoord.x, 1.0 - texcoord.y)).rgb;  // the picture's rows begin at the top
+        albedo *= ink;
+        through *= ink;
+    }
     if (textured != 0 && stripe_width > 0.0) {
         albedo = striped(albedo);
         through = striped(through);
@@ -92,5 +98,5 @@ void main() {
     float across = 1.0 - max(dot(n, to_eye), 0.0), grazing = across * across * across * across;
     lit += sheen * fibre_color * (0.35 * sun_light * sun_seen * fibre_edge(n, to_eye, to_sun) +
                                   0.5 * grazing * ambient_light(n, sky_seen));
-    pixel = vec4(tone(lit), 1.0);
+    pixel = vec4(tone(lit), opacity);
 }

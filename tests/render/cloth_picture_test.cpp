@@ -1,5 +1,7 @@
 // Pictures of cloth, asked for what they must show.
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include "drawing.h"
 
@@ -111,6 +113,57 @@ TEST_F(ClothPicture, VerticesOnOneParticleKeepTheirOwnTextureCoordinates) {
     const bool lower_striped = pixel_at(image, view.camera, {0.2f, -0.2f, 0}).is_green();
     const bool upper_striped = pixel_at(image, view.camera, {-0.2f, 0.2f, 0}).is_green();
     EXPECT_NE(lower_striped, upper_striped);
+}
+
+/// A look without light effects that depend on place.
+FabricLook plain_white() {
+    return {.front = {1, 1, 1}, .back = {1, 1, 1}, .roughness = 1, .sheen = 0, .threads = Threads::none};
+}
+
+TEST_F(ClothPicture, EachPartHasItsColourOrPicture) {
+    // Left half: plain green. Right half: a picture of red over blue.
+    Sheet sheet = make_sheet(3, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    sheet.texcoords.clear();
+    for (const Vec4& p : sheet.positions) sheet.texcoords.push_back({p.x + 0.5f, p.y + 0.5f});
+    const auto printed = std::make_shared<Image>();
+    *printed = {1, 2, {255, 0, 0, 0, 0, 255}};
+    const std::array<ClothPart, 2> parts{{{.front = {0.01f, 0.3f, 0.01f}, .back = {1, 1, 1}},
+                                          {.front = {1, 1, 1}, .back = {1, 1, 1}, .picture = printed}}};
+    std::vector<std::uint32_t> of_triangle;
+    for (const auto& [a, b, c] : sheet.triangles)
+        of_triangle.push_back(sheet.positions[a].x + sheet.positions[b].x + sheet.positions[c].x > 0 ? 1u
+                                                                                                     : 0u);
+    ClothSurface surface = sheet.surface(plain_white());
+    surface.parts = parts;
+    surface.part_of_triangle = of_triangle;
+    renderer().update_cloth(renderer().add_cloth(surface), sheet.frame());
+    const View view = straight_on();
+    const Image image = renderer().capture(view, width, height);
+    EXPECT_TRUE(pixel_at(image, view.camera, {-0.25f, 0.2f, 0}).is_green());
+    EXPECT_TRUE(pixel_at(image, view.camera, {0.25f, 0.3f, 0}).is_red())
+        << "the picture's first row is above";
+    const Pixel below = pixel_at(image, view.camera, {0.25f, -0.3f, 0});
+    EXPECT_GT(below.blue, 2 * below.red);
+}
+
+TEST_F(ClothPicture, AGhostLetsThroughWhatIsBehindAndHidesBehindClothInItsPlace) {
+    FabricLook ghost = plain_white();
+    ghost.front = ghost.back = {0.05f, 0.8f, 0.05f};
+    ghost.opacity = 0.4f;
+    const Sheet small = upright({0, 0, 0}, 0.6f), large = upright({0, 0, 0}, 1.2f);
+    const View view = straight_on();
+    const auto green_of = [&] {
+        const Image image = renderer().capture(view, width, height);
+        return std::pair(pixel_at(image, view.camera, {0.1f, 0.1f, 0}),
+                         pixel_at(image, view.camera, {0.45f, 0.1f, 0}));
+    };
+    show(renderer(), small, signal_look());
+    const auto [cloth, sky] = green_of();
+    show(renderer(), large, ghost);
+    const auto [same_place, beside] = green_of();
+    EXPECT_EQ(same_place.light(), cloth.light()) << "no speckles where both are";
+    EXPECT_GT(beside.green - beside.blue, sky.green - sky.blue + 20);
+    EXPECT_GT(beside.blue, 40) << "the sky shows through";
 }
 
 TEST_F(ClothPicture, AFlatSheetNeverShadowsItself) {

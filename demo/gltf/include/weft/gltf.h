@@ -16,6 +16,14 @@
 
 namespace weft {
 
+/// A picture of a material, as it is in the file.
+struct GltfPicture {
+    std::string name;  ///< the file that the URI names, or the picture's own name
+    /// Encoded, as PNG or JPEG by the format. Empty: its data cannot be read, or all pictures with it are
+    /// more than 1 GiB.
+    std::vector<unsigned char> bytes{};
+};
+
 /// A node that moves vertices of a skin.
 struct GltfJoint {
     std::string name;          ///< may be empty
@@ -27,8 +35,10 @@ struct GltfJoint {
 struct GltfPart {
     std::string material;          ///< name of its material; empty: none
     std::optional<Vec3> colour{};  ///< base colour of its material, linear RGB from 0 to 1
-    /// Positions in the rest pose, +Y up [m], triangles, and the first texture coordinates where the file
-    /// has some, as they are there (v runs downwards).
+    /// Picture that multiplies the base colour, in GltfAsset::pictures().
+    std::optional<std::size_t> picture{};
+    /// Positions in the rest pose, +Y up [m], triangles, and the texture coordinates that the picture uses,
+    /// else the first, where the file has some, as they are there (v runs downwards).
     Mesh mesh{};
     std::vector<Vec3> bound{};    ///< the file's own positions of a part with a skin; empty without
     std::vector<Vec3> colours{};  ///< linear RGB of each vertex; empty: none
@@ -57,12 +67,12 @@ class GltfAsset {
   public:
     /// Reads .gltf and .glb, told apart by their first bytes, and the buffers that they name, 2 GiB at most:
     /// lists, strips and fans of triangles of all nodes, sparse accessors, all skins, the first animation
-    /// and, if Weft was built with it, Draco's compression. Lines, points, morph targets, cameras and
-    /// textures are ignored; scales of nodes apply, shear of matrices is ignored. Any bytes are safe to
-    /// read. A primitive whose own data are faulty is left out: see left_out(). Errors name the file and the
-    /// value: what cannot be read or is no glTF 2, an extension that hides the data, a value of the JSON that
-    /// is of the wrong kind or out of its range, more vertices than a mesh may have, no primitive but faulty
-    /// ones.
+    /// and, if Weft was built with it, Draco's compression. Of materials it reads the base colour and its
+    /// picture, untransformed. Lines, points, morph targets, cameras and other textures are ignored; scales
+    /// of nodes apply, shear of matrices is ignored. Any bytes are safe to read. A primitive whose own data
+    /// are faulty is left out: see left_out(). Errors name the file and the value: what cannot be read or is
+    /// no glTF 2, an extension that hides the data, a value of the JSON that is of the wrong kind or out of
+    /// its range, more vertices than a mesh may have, no primitive but faulty ones.
     [[nodiscard]] static Result<GltfAsset> load(const std::filesystem::path& file);
     /// Returns true if load() reads KHR_draco_mesh_compression.
     [[nodiscard]] static bool reads_draco();
@@ -73,6 +83,8 @@ class GltfAsset {
     /// wanted: a host compares the materials' names, or refuses the file where this is not empty.
     [[nodiscard]] const std::vector<GltfLeftOut>& left_out() const { return left_out_; }
     [[nodiscard]] const std::vector<GltfJoint>& joints() const { return joints_; }
+    /// The pictures of the parts' materials, whose pixels a host decodes.
+    [[nodiscard]] const std::vector<GltfPicture>& pictures() const { return pictures_; }
     /// All parts as one mesh in the rest pose; it has texture coordinates where all parts have.
     [[nodiscard]] Mesh mesh() const;
 
@@ -93,6 +105,7 @@ class GltfAsset {
     std::vector<GltfPart> parts_;
     std::vector<GltfLeftOut> left_out_;
     std::vector<GltfJoint> joints_;
+    std::vector<GltfPicture> pictures_;
     std::shared_ptr<const Motion> motion_;
 };
 

@@ -30,7 +30,24 @@ struct FabricLook {
     float shine_width = 0.25f;   ///< width of that highlight, from 0.02 (a line) to 1
     float stripe_width = 0;      ///< width of a stripe [m of texture coordinate u]; 0 draws none
     Vec3 stripe{0.9f, 0.88f, 0.82f};
+    /// Below 1 what is behind shows through, and the cloth casts no shadow: for ghosts that show another
+    /// state.
+    float opacity = 1;
     float translucency = 0.35f;  ///< share of the sun's light that shines through; 0 leather, 0.5 chiffon
+};
+
+/// An 8-bit RGB picture, rows from the top.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+/// The colours of some of a cloth's triangles, in place of those of its look.
+struct ClothPart {
+    Vec3 front, back;  ///< linear RGB in [0, 1]
+    /// A picture in sRGB that multiplies both colours and repeats; texture coordinate (0, 0) is its lower
+    /// left corner. Null: none.
+    std::shared_ptr<const Image> picture{};
 };
 
 /// The parts of a cloth's mesh that do not move: uploaded once.
@@ -39,6 +56,8 @@ struct ClothSurface {
     std::span<const std::uint32_t> vertex_to_particle;        ///< one per vertex
     std::span<const Vec2> texcoords;                          ///< one per vertex [m], or empty
     FabricLook look;
+    std::span<const ClothPart> parts{};                 ///< empty: all triangles have the look's colours
+    std::span<const std::uint32_t> part_of_triangle{};  ///< indices into `parts`, one per triangle, or empty
 };
 
 /// The parts of a cloth's mesh that move, streamed from the simulation's own buffers. The first three spans
@@ -121,12 +140,6 @@ struct View {
     std::span<const DrawnBox> boxes;
     std::span<const DrawnLine> lines;
     Vec3 wind{0, 0, 0};  ///< drawn as an arrow on the ground where not zero [m/s]
-};
-
-/// An 8-bit RGB picture, rows from the top.
-struct Image {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgb;
 };
 
 /// The host's OpenGL 3.3 state changes no picture, and every call restores it, except for the target of
