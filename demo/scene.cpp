@@ -13,6 +13,12 @@ bool Scene::cut_before_step(World& /*world*/, SceneContent& /*content*/) {
     return false;
 }
 
+Result<void> Scene::give_skin(World& /*world*/, ClothId /*cloth*/) {
+    return Error{
+        ErrorCode::unsupported,
+        "a leash ties cloth to somebody who wears it; nobody wears this cloth"};
+}
+
 render::FabricLook two_sided(const Vec3& front, float stripe_width) {
     const auto paler = [](float part) { return 0.5f * part + 0.25f; };
     return {.front = front,

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "demo/character/garment/map_names.h"
+#include "demo/character/garment/surface_parts.h"
 #include "demo/window/annotation.h"
 #include "weft/render/camera.h"
 #include "weft/render/scene_renderer.h"
@@ -43,8 +45,10 @@ struct SceneCloth {
     ClothId id;
     Mesh mesh;
     render::FabricLook look;
-    Mesh fine{};                               ///< drawn in place of the mesh, where `drawn` is set
+    SurfaceParts surface{};  ///< colours by material of the drawn triangles; empty: the look's
+    Mesh fine{};             ///< drawn in place of the mesh, where `drawn` is set
     std::shared_ptr<const DrawnMesh> drawn{};  ///< how `fine` follows the cloth
+    std::vector<PaintedMap> maps{};            ///< the cloth's, which a brush may change
     std::vector<Vec4> tints{};  ///< by vertex, as render::ClothFrame::colours; empty: the look's alone
 };
 
@@ -96,6 +100,9 @@ class Scene {
     virtual void go_to(double time);
     /// Called after before_step(): cuts cloth, in the content as well. True: cloth was cut.
     virtual bool cut_before_step(World& world, SceneContent& content);
+
+    /// Gives a cloth a skin, to which leashes refer (World::set_skin). Error: nobody wears it.
+    [[nodiscard]] virtual Result<void> give_skin(World& world, ClothId cloth);
 
     /// Adds words, lines and solids that show the world's present state and what holds its cloth.
     virtual void annotate(const World& /*world*/, Annotation& /*to*/) const {}

@@ -123,6 +123,13 @@ Result<void> Simulation::restart() {
         if (auto set = fresh.world_.set_cloth_settings(fresh.content_.cloths[i].id, *settings); !set)
             return set.error();
     }
+    for (std::size_t i = 0; i < cloths; ++i)
+        for (PaintedMap& painted : content_.cloths[i].maps) {
+            std::vector<float> values = painted.values;
+            values.resize(
+                fresh.content_.cloths[i].mesh.positions.size());  // cuts had added vertices at the end
+            if (auto set = fresh.paint(i, painted.map, std::move(values)); !set) return set.error();
+        }
     fresh.cuts_ = cuts_ + 1;  // the meshes are uncut again
     for (std::size_t i = 0; i < cloths; ++i) fresh.content_.cloths[i].look = content_.cloths[i].look;
     fresh.first_settings_ = first_settings_;
@@ -135,6 +142,19 @@ Result<void> Simulation::cut(std::size_t cloth, std::span<const MeshEdge> edges)
     const auto done = cut_cloth(world_, content_.cloths[cloth], edges);
     if (!done) return done.error();
     if (*done) ++cuts_;
+    return {};
+}
+
+Result<void> Simulation::paint(std::size_t cloth, Map map, std::vector<float> values) {
+    SceneCloth& painted = content_.cloths[cloth];
+    if (auto set = world_.set_map(painted.id, map, values); !set) return set;
+    if (map == Map::leash || map == Map::backstop)
+        if (auto given = scene_->give_skin(world_, painted.id); !given) {
+            (void)world_.set_map(painted.id, map, {});
+            return given;
+        }
+    std::erase_if(painted.maps, [&](const PaintedMap& each) { return each.map == map; });
+    painted.maps.push_back({map, std::move(values)});
     return {};
 }
 

@@ -64,6 +64,9 @@ class Simulation {
     [[nodiscard]] const SceneContent& content() const { return content_; }
     /// Splits edges of a cloth of the content, unless that would add no particle.
     Result<void> cut(std::size_t cloth, std::span<const MeshEdge> edges);
+    /// Sets a map of a cloth of the content, one value a vertex. A restart keeps it. Error: the World's; a
+    /// leash where nobody wears the cloth.
+    Result<void> paint(std::size_t cloth, Map map, std::vector<float> values);
     /// Number of cuts and restarts; each replaces meshes of the content.
     [[nodiscard]] std::uint32_t cuts() const { return cuts_; }
     [[nodiscard]] double time() const { return time_; }  ///< [s]

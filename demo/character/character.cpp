@@ -187,19 +187,31 @@ void Character::go_to(double time) {
     before_ = now_;
 }
 
-/// Binds skin targets, if the garment has leashes or backstops. `own`: a file's weights, or null.
+/// Binds skin targets, which are used if the garment has leashes or backstops. `own`: a file's weights, or
+/// null.
 void Character::bind_limits(const Pose& stance, const Binding* own) {
-    const auto limits = [](const PaintedMap& painted) {
-        return painted.map == Map::leash || painted.map == Map::backstop;
-    };
-    if (std::ranges::none_of(garment_.maps, limits)) return;
     const std::vector<Vec3>& positions = garment_.mesh.positions;
     limits_ = own != nullptr ? *own : Binding::to_nearest(body_, stance, positions);
     limits_bound_ = stance;
     normals_.clear();
     for (const Vector3& normal : outward_normals(garment_.mesh)) normals_.push_back(to_vec3(normal));
-    limit_places_.resize(positions.size());
-    limit_normals_.resize(positions.size());
+    const auto limits = [](const PaintedMap& painted) {
+        return painted.map == Map::leash || painted.map == Map::backstop;
+    };
+    if (std::ranges::any_of(garment_.maps, limits)) use_limits();
+}
+
+void Character::use_limits() {
+    has_limits_ = true;
+    limit_places_.resize(limits_.size());
+    limit_normals_.resize(limits_.size());
+}
+
+Result<void> Character::give_skin(World& world) {
+    if (has_limits_) return {};
+    use_limits();
+    follow(followed_);
+    return world.set_skin(cloth_, limit_places_, limit_normals_);
 }
 
 void Character::follow(double time) {
@@ -213,8 +225,10 @@ void Character::follow(double time) {
     binding_.place(now_.pose, targets_);
     if (settings_.surface == BodySurface::capsules)
         for (Vec3& target : targets_) target = outside(now_.capsules, target);
-    limits_.place(now_.pose, limit_places_);
-    limits_.turn(limits_bound_, now_.pose, normals_, limit_normals_);
+    if (has_limits_) {
+        limits_.place(now_.pose, limit_places_);
+        limits_.turn(limits_bound_, now_.pose, normals_, limit_normals_);
+    }
     if (skin_places_) skin_.place(now_.pose, now_.capsules, growth, *skin_places_);
     if (growth == 1) return;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
@@ -239,7 +253,7 @@ void Character::add_body(World& world) {
 
 void Character::add_maps(World& world) {
     for (const PaintedMap& painted : garment_.maps) must(world.set_map(cloth_, painted.map, painted.values));
-    if (limits_.size() > 0) must(world.set_skin(cloth_, limit_places_, limit_normals_));
+    if (has_limits_) must(world.set_skin(cloth_, limit_places_, limit_normals_));
 }
 
 Result<void> Character::enter(World& world) {
@@ -261,7 +275,7 @@ void Character::before_step(World& world, double time, float dt) {
             (void)world.move_collider(colliders_[limb], {.shape = now_.capsules[limb]});
     }
     (void)world.move_pins(cloth_, garment_.fixed, targets_);
-    if (limits_.size() > 0) (void)world.set_skin(cloth_, limit_places_, limit_normals_);
+    if (has_limits_) (void)world.set_skin(cloth_, limit_places_, limit_normals_);
 }
 
 Result<void> Character::teleport(World& world, const Transform& by) {

@@ -49,6 +49,9 @@ class Character {
     /// Places the body as at that time [s], without the World's colliders and pins.
     void go_to(double time);
 
+    /// Gives the cloth a skin, to which leashes and backstops refer, if it has none. Error: the World's.
+    [[nodiscard]] Result<void> give_skin(World& world);
+
     /// Transforms body and garment at once, about the World's origin. The garment keeps its shape and motion
     /// relative to the body. Error: the World's. If the cloth cannot be moved, nothing is.
     [[nodiscard]] Result<void> teleport(World& world, const Transform& by);
@@ -69,7 +72,8 @@ class Character {
     /// The skin's vertices at the same time [m]; null without a skin. Later steps overwrite this memory.
     [[nodiscard]] const std::shared_ptr<std::vector<Vec3>>& skin_places() const { return skin_places_; }
     [[nodiscard]] const Skin& skin() const { return skin_; }
-    /// The points that leashes and backstops refer to, by vertex [m]; empty where the garment has neither.
+    /// The points that leashes and backstops refer to, by vertex [m]; empty without give_skin() where
+    /// the garment has neither.
     [[nodiscard]] const std::vector<Vec3>& skin_targets() const { return limit_places_; }
     [[nodiscard]] const Skeleton& skeleton() const { return performance_.skeleton(); }
     [[nodiscard]] const Fit& fitted() const { return fit_; }
@@ -84,6 +88,7 @@ class Character {
     void add_body(World& world);
     void add_maps(World& world);
     void bind_limits(const Pose& stance, const Binding* own);
+    void use_limits();
     void take_skin(Skin skin);
 
     Body body_;
@@ -103,6 +108,7 @@ class Character {
     ShapeId skin_shape_;
     Binding limits_;  // skin targets of all vertices, for leashes and backstops
     Pose limits_bound_;
+    bool has_limits_ = false;  // the cloth has the skin
     std::vector<Vec3> normals_, limit_places_, limit_normals_;
     ClothId cloth_;
     std::vector<ColliderId> colliders_;

@@ -25,6 +25,11 @@ Result<bool> cut_cloth(World& world, SceneCloth& cloth, std::span<const MeshEdge
     if (!cut) return cut.error();
     if (cut->added_particles == 0) return false;
     if (auto recut = world.recut_cloth(cloth.id, cut->mesh, cut->from); !recut) return recut.error();
+    for (PaintedMap& painted : cloth.maps) {
+        std::vector<float> values;
+        for (const std::uint32_t vertex : cut->from) values.push_back(painted.values[vertex]);
+        painted.values = std::move(values);
+    }
     cloth.mesh = std::move(cut->mesh);
     return true;
 }

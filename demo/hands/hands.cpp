@@ -23,6 +23,10 @@ Hands::Holding Hands::take(const Pointer& pointer, float aspect, const Simulatio
                            const render::OrbitCamera& camera, const WindControl& wind) {
     if (pointer.over_panel || pointer.other_button || pointer.has_knife) return Holding::other;
     if (arrow_.is_under({aspect * pointer.x, pointer.y}, wind)) return Holding::arrow;
+    if (brush.is_in_hand && brush.place()) {
+        brush.begin();
+        return Holding::brush;
+    }
     const render::Ray ray = camera.ray(pointer.x, pointer.y, aspect);
     const auto cloth = pointed_cloth(simulation.world(), ray);
     const float nearer_than = cloth ? cloth->distance : std::numeric_limits<float>::infinity();
@@ -35,6 +39,10 @@ bool Hands::update(const Pointer& pointer, float aspect, Simulation& simulation,
                    WindControl& wind) {
     arrow_.place(camera, aspect);
     eye_ = camera.eye();
+    if (brush.is_in_hand && !pointer.over_panel)
+        brush.aim(simulation.world(), camera.ray(pointer.x, pointer.y, aspect));
+    else
+        brush.look_away();
     if (!pointer.left_button && !pointer.other_button) {
         holding_ = Holding::nothing;
         collider_.end();
@@ -47,7 +55,9 @@ bool Hands::update(const Pointer& pointer, float aspect, Simulation& simulation,
         collider_.aim(camera.ray(pointer.x, pointer.y, aspect));
         if (pointer.wheel != 0) collider_.scale(std::pow(growth_per_notch, pointer.wheel));
     }
-    if (holding_ == Holding::arrow || holding_ == Holding::collider) rest.over_panel = true;
+    if (holding_ == Holding::brush)
+        if (auto painted = brush.stroke(simulation); !painted) complaint_ = painted.error().message;
+    if (holding_ != Holding::nothing && holding_ != Holding::other) rest.over_panel = true;
     interaction_.update(rest, aspect, simulation, camera);
     return holding_ == Holding::arrow;
 }

@@ -2,9 +2,11 @@
 // All that the user does to a scene by pointer and keys, besides the panels.
 
 #include <string>
+#include <utility>
 
 #include "demo/hands/air/hand_air.h"
 #include "demo/hands/air/wind_arrow.h"
+#include "demo/hands/brush.h"
 #include "demo/hands/held_collider.h"
 #include "demo/window/interaction.h"
 #include "demo/window/wind_control.h"
@@ -20,8 +22,9 @@ struct HandMark {
 
 class Hands {
   public:
-    /// Applies the mouse. The left button takes hold of the wind's arrow, a collider or cloth; elsewhere it
-    /// turns the camera, as Interaction does. The wheel scales a held collider. True if the wind was turned.
+    /// Applies the mouse. The left button takes hold of the wind's arrow, a collider or cloth, which it
+    /// paints while the brush is in hand; elsewhere it turns the camera, as Interaction does. The wheel
+    /// scales a held collider. True if the wind was turned.
     bool update(const Pointer& pointer, float aspect, Simulation& simulation, render::OrbitCamera& camera,
                 WindControl& wind);
 
@@ -44,6 +47,7 @@ class Hands {
     /// Begins with a new world, in which nothing is held.
     void begin(const Simulation& simulation);
 
+    Brush brush;
     Balls balls;
     HandAir air;
     Streaks streaks;
@@ -51,16 +55,19 @@ class Hands {
     [[nodiscard]] const WindArrow& arrow() const { return arrow_; }
     [[nodiscard]] bool holds_arrow() const { return holding_ == Holding::arrow; }
     [[nodiscard]] const Interaction& interaction() const { return interaction_; }
-    /// Why cloth could not be cut, reported once; empty: it could.
-    [[nodiscard]] std::string take_complaint() { return interaction_.take_complaint(); }
+    /// Why cloth could not be cut or painted, reported once; empty: it could.
+    [[nodiscard]] std::string take_complaint() {
+        return complaint_.empty() ? interaction_.take_complaint() : std::exchange(complaint_, {});
+    }
 
   private:
-    enum class Holding { nothing, arrow, collider, other };
+    enum class Holding { nothing, arrow, collider, brush, other };
     Holding take(const Pointer& pointer, float aspect, const Simulation& simulation,
                  const render::OrbitCamera& camera, const WindControl& wind);
 
     Holding holding_ = Holding::nothing;
     Vec3 eye_{};  // of the camera
+    std::string complaint_;
     WindArrow arrow_;
     HeldCollider collider_;
     Interaction interaction_;

@@ -100,6 +100,12 @@ void draw_air(const Pen& pen, const HandAir& air) {
                  faded(IM_COL32(255, 170, 60, 255), 1.6f - grown));
 }
 
+void draw_brush(const Pen& pen, const Brush& brush, const Vec3& eye) {
+    if (!brush.place()) return;
+    const Vector3 towards = (to_vector(eye) - to_vector(*brush.place())).normalized();
+    pen.ring(*brush.place(), towards, brush.radius, held_colour);
+}
+
 void draw_pins(const Pen& pen, const Simulation& simulation) {
     const float radius = std::clamp(0.003f * pen.height(), 1.0f, 4.0f);
     for (const SceneCloth& cloth : simulation.content().cloths) {
@@ -122,6 +128,7 @@ void draw_overlay(const Hands& hands, const Simulation& simulation, const render
                   const WindControl& wind, bool pins) {
     const Pen pen(camera);
     draw_air(pen, hands.air);
+    draw_brush(pen, hands.brush, camera.eye());
     if (pins) draw_pins(pen, simulation);
     draw_arrow(pen, hands.arrow(), wind, hands.holds_arrow());
 }

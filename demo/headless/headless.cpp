@@ -13,6 +13,7 @@
 #include "demo/hands/hands.h"
 #include "demo/headless/frame_table.h"
 #include "demo/headless/report_text.h"
+#include "demo/options/method_table.h"
 
 namespace weft::demo {
 
@@ -93,6 +94,17 @@ void print_summary(const Simulation& simulation, const FrameTable& table, const 
     std::printf("hash: %016" PRIx64 "\n", simulation.world().state_hash());
 }
 
+void print_sides(const Simulation& simulation, const Comparison& comparison) {
+    const auto print = [](const Method& method, const Comparison::Side& side) {
+        std::printf("compared: %-20s %.2f ms a step, %.1f mm off, at most %.0f mm\n", entry_of(method).name,
+                    static_cast<double>(side.milliseconds), static_cast<double>(side.usual),
+                    static_cast<double>(side.farthest));
+    };
+    const ClothId first = simulation.content().cloths.front().id;
+    print(simulation.world().cloth_settings(first)->method, comparison.shown());
+    print(comparison.method(), comparison.other());
+}
+
 }  // namespace
 
 int run_headless(const Options& options, Simulation& simulation) {
@@ -119,6 +131,16 @@ int run_headless(const Options& options, Simulation& simulation) {
         }
         sequence.emplace(std::move(*begun));
     }
+    std::optional<Comparison> comparison;
+    if (options.compare) {
+        auto started = Comparison::start(simulation, *options.compare, Fairness::same_steps);
+        if (!started) {
+            std::fprintf(stderr, "weft_demo: --compare: %s\n", started.error().message.c_str());
+            return 2;
+        }
+        comparison.emplace(std::move(*started));
+    }
+    const Comparison* const compared = comparison ? &*comparison : nullptr;
     if (!options.trace.empty()) failures.note(simulation.world().start_trace());
     const int frames = options.frames.value_or(Options::default_frames);
     FrameTable table;
@@ -128,14 +150,15 @@ int run_headless(const Options& options, Simulation& simulation) {
         for (int frame = 1; frame <= frames; ++frame) {
             troubles.add(simulation.step(frame_seconds));
             table.add(simulation.world().profile(), simulation.world().report());
+            if (comparison) comparison->step(simulation, frame_seconds);
             if (sequence) failures.note(sequence->add(simulation));
             if (photographer) photographer->record(simulation);
             if (photographer && options.every > 0 && frame % options.every == 0)
-                failures.note(photographer->shoot(simulation, picture_file(options, frame)));
+                failures.note(photographer->shoot(simulation, picture_file(options, frame), compared));
             progress.update(frame);
         }
     }
-    if (photographer) failures.note(photographer->shoot(simulation, options.out / "final.png"));
+    if (photographer) failures.note(photographer->shoot(simulation, options.out / "final.png", compared));
 
     if (photographer)
         for (const std::string& each : photographer->take_complaints())
@@ -147,6 +170,7 @@ int run_headless(const Options& options, Simulation& simulation) {
     if (!options.trace.empty()) failures.note(simulation.world().write_trace(options.trace));
     if (!options.overrides.record.empty()) failures.note(simulation.world().stop_recording());
     print_summary(simulation, table, troubles);
+    if (comparison) print_sides(simulation, *comparison);
     return failures.any() ? 1 : 0;
 }
 
@@ -188,11 +212,16 @@ void Photographer::record(const Simulation& simulation) {
     if (panels_) panels_->panels.record(simulation.world());
 }
 
-Result<void> Photographer::shoot(Simulation& simulation, const std::filesystem::path& file) {
-    picture_.update(simulation);
+Result<void> Photographer::shoot(Simulation& simulation, const std::filesystem::path& file,
+                                 const Comparison* comparison) {
     render::OrbitCamera camera = simulation.content().camera;
     camera.yaw += turn_;
-    if (panels_) build_panels(simulation);
+    if (comparison != nullptr)
+        picture_.set_beside(comparison->other_simulation(), comparison->truth(), simulation, camera.yaw);
+    picture_.update(simulation);
+    Vec3 before{};
+    make_room_beside(camera, picture_.beside(), before);
+    if (panels_) build_panels(simulation, camera, comparison);
     const render::View& view = picture_.view(simulation, camera, 1.0f);
     const auto overlay = [this] { panels_->layer.end(); };
     const render::Image image = panels_ ? picture_.renderer().capture(view, width_, height_, overlay)
@@ -200,12 +229,16 @@ Result<void> Photographer::shoot(Simulation& simulation, const std::filesystem::
     return render::save_png(image, file.c_str());
 }
 
-void Photographer::build_panels(Simulation& simulation) {
+void Photographer::build_panels(Simulation& simulation, render::OrbitCamera& camera,
+                                const Comparison* comparison) {
     WindControl wind(simulation.world().settings().wind.velocity);
     const Playback playback;
     Hands hands;
     panels_->layer.begin(width_, height_, 1.0f / 60.0f);
-    (void)panels_->panels.draw(simulation, wind, hands, playback, simulation.content().camera);
+    (void)panels_->panels.draw(simulation, wind, hands, playback, camera);
+    make_room_for_panels(camera, panels_->panels.covered(), static_cast<float>(width_),
+                         static_cast<float>(height_));
+    if (comparison != nullptr) draw_names(picture_, simulation, *comparison, camera);
 }
 
 }  // namespace weft::demo

@@ -31,8 +31,9 @@ class Photographer {
 
     /// Records the step that was just taken, for the panels.
     void record(const Simulation& simulation);
-    /// Writes a PNG of the simulation as it is now.
-    [[nodiscard]] Result<void> shoot(Simulation& simulation, const std::filesystem::path& file);
+    /// Writes a PNG of the simulation as it is now, and of what it is compared with; null: nothing.
+    [[nodiscard]] Result<void> shoot(Simulation& simulation, const std::filesystem::path& file,
+                                     const Comparison* comparison);
 
   private:
     struct PanelsInPicture {
@@ -41,7 +42,8 @@ class Photographer {
     };
 
     Photographer(render::Context context, Picture picture, int width, int height);
-    void build_panels(Simulation& simulation);
+    /// The camera makes room for them.
+    void build_panels(Simulation& simulation, render::OrbitCamera& camera, const Comparison* comparison);
 
     // Destroyed from the last to the first: OpenGL's objects before its context.
     render::Context context_;

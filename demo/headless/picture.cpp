@@ -1,5 +1,6 @@
 #include "demo/headless/picture.h"
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -44,22 +45,23 @@ void Picture::show(const Simulation& simulation) {
     motion_beside_.forget();
     fine_.clear();
     shown_rounded_ = rounds();
+    shown_painted_ = inside_.painted.has_value();
     for (const SceneCloth& cloth : simulation.content().cloths) show_cloth(cloth, simulation.world());
-    for (const SceneSolid& solid : simulation.content().solids)
-        solids_.emplace_back(solid, Vec3{}, renderer_);
+    for (const SceneSolid& solid : simulation.content().solids) solids_.emplace_back(solid, renderer_);
     cuts_ = simulation.cuts();
     update(simulation);
 }
 
 void Picture::show_cloth(const SceneCloth& cloth, const World& world) {
     const auto view = world.cloth(cloth.id);
-    const Mesh& mesh = cloth.drawn ? cloth.fine : cloth.mesh;
+    const bool fine_is_drawn = draws_fine(cloth);
+    const Mesh& mesh = fine_is_drawn ? cloth.fine : cloth.mesh;
     const std::vector<Vec2>& texcoords = mesh.texcoords.empty() ? mesh.pattern : mesh.texcoords;
     Fine fine;
-    if (!cloth.drawn && shown_rounded_ && view->positions.size() <= most_rounded)
+    if (!fine_is_drawn && shown_rounded_ && view->positions.size() <= most_rounded)
         fine.rounded = RoundedMesh(mesh.triangles, texcoords, view->vertex_to_particle.size());
     const bool rounded = fine.rounded.size() > 0;
-    const std::size_t own = cloth.drawn ? cloth.drawn->size() : fine.rounded.size();
+    const std::size_t own = fine_is_drawn ? cloth.drawn->size() : fine.rounded.size();
     for (std::vector<Vec4>* each : {&fine.positions, &fine.previous_positions, &fine.normals})
         each->resize(own);
     std::vector<std::uint32_t> each(own);
@@ -69,6 +71,15 @@ void Picture::show_cloth(const SceneCloth& cloth, const World& world) {
                                  .vertex_to_particle = own > 0 ? particles : view->vertex_to_particle,
                                  .texcoords = texcoords,
                                  .look = cloth.look};
+    if (fine_is_drawn || !cloth.drawn) {  // the parts are those of the drawn mesh
+        surface.parts = cloth.surface.parts;
+        surface.part_of_triangle = cloth.surface.of_triangle;
+    }
+    SurfaceParts of_rounded;
+    if (rounded && !surface.parts.empty()) {
+        of_rounded = refined(cloth.surface);
+        surface.part_of_triangle = of_rounded.of_triangle;
+    }
     if (rounded) {
         surface.triangles = fine.rounded.triangles();
         surface.texcoords = fine.rounded.texcoords();
@@ -83,8 +94,22 @@ void Picture::set_look(const QualityLevel& level, const Inside& inside) {
     inside_ = inside;
 }
 
+void Picture::set_beside(const Simulation& other, const Simulation& truth, const Simulation& first,
+                         float yaw) {
+    if (other_ == nullptr) room_beside_ = room_beside(first);
+    other_ = &other;
+    truth_ = &truth;
+    offset_ = {room_beside_ * std::cos(yaw), 0, -room_beside_ * std::sin(yaw)};
+}
+
+void Picture::set_alone() {
+    other_ = truth_ = nullptr;
+    offset_ = {};
+}
+
 void Picture::update(const Simulation& simulation) {
-    if (cuts_ != simulation.cuts() || rounds() != shown_rounded_) return show(simulation);  // show() updates
+    const bool is_other = rounds() != shown_rounded_ || inside_.painted.has_value() != shown_painted_;
+    if (cuts_ != simulation.cuts() || is_other) return show(simulation);  // show() updates
     const std::vector<SceneSolid>& solids = simulation.content().solids;
     for (std::size_t i = 0; i < solids_.size(); ++i)
         solids_[i].update(solids[i], simulation.world().report().step, renderer_);
@@ -92,11 +117,14 @@ void Picture::update(const Simulation& simulation) {
         const SceneCloth& drawn = simulation.content().cloths[i];
         const auto cloth = simulation.world().cloth(drawn.id);
         renderer_.set_look(cloths_[i], drawn.look);
-        if (drawn.drawn) {
+        if (draws_fine(drawn)) {
             update_fine(drawn, *cloth, i);
             continue;
         }
-        colour_particles(inside_.colour, drawn, *cloth, colours_);
+        if (inside_.painted)
+            colour_by_map(*inside_.painted, drawn, *cloth, colours_);
+        else
+            colour_particles(inside_.colour, drawn, *cloth, colours_);
         if (fine_[i].rounded.size() > 0) {
             update_rounded(*cloth, i,
                            simulation.world().cloth_settings(drawn.id)->self_collision.method !=
@@ -110,7 +138,9 @@ void Picture::update(const Simulation& simulation) {
     }
     drawing_.take(simulation.world(), inside_.parts);
     simulation.scene().annotate(simulation.world(), drawing_);
-    beside_.show(other_, simulation, renderer_);
+    beside_.show(other_, offset_, renderer_);
+    ghost_.show(truth_, {}, renderer_);
+    ghost_beside_.show(truth_, offset_, renderer_);
 }
 
 void Picture::update_rounded(const ClothView& view, std::size_t index, bool lies_on_itself) {
@@ -190,7 +220,7 @@ void Picture::add_colliders_beside() {
                       tapered = tapered_capsules_.size(), boxes = boxes_.size();
     for (const ColliderId id : other_->content().drawn_colliders)
         add_collider(other_->world(), id, motion_beside_);
-    const auto move = [by = beside_.offset().x](Vec3& p) { p.x += by; };
+    const auto move = [by = offset_](Vec3& p) { p = {p.x + by.x, p.y + by.y, p.z + by.z}; };
     for (std::size_t i = spheres; i < spheres_.size(); ++i) move(spheres_[i].center);
     for (std::size_t i = capsules; i < capsules_.size(); ++i) move(capsules_[i].a), move(capsules_[i].b);
     for (std::size_t i = tapered; i < tapered_capsules_.size(); ++i)

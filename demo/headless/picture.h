@@ -32,10 +32,12 @@ class Picture {
 
     /// Sets quality and views of the inside; the cloths' looks and triangles follow at the next update().
     void set_look(const QualityLevel& level, const Inside& inside);
-    /// Shows another simulation of the scene to its right, from the next update() on; null: none.
-    void set_beside(const Simulation* other) { other_ = other; }
-    /// Distance at which the other is shown to the right [m]; 0 without one.
-    [[nodiscard]] float beside() const { return beside_.shown() ? beside_.offset().x : 0; }
+    /// Shows another simulation of the `first` one's scene to its right, as a camera of that yaw [rad] sees
+    /// it, and `truth` as a ghost in both places, from the next update() on. Both are as far from the camera.
+    void set_beside(const Simulation& other, const Simulation& truth, const Simulation& first, float yaw);
+    void set_alone();
+    /// Displacement of the other [m]; 0 without one.
+    [[nodiscard]] const Vec3& beside() const { return offset_; }
     /// The words of the inside, with their places.
     [[nodiscard]] std::span<const ShownWords> words() const { return drawing_.words; }
 
@@ -63,13 +65,18 @@ class Picture {
     std::vector<Fine> fine_;          // as cloths_; empty where the cloth's own mesh is drawn
     Inside inside_;
     const Simulation* other_ = nullptr;
-    Beside beside_;
+    const Simulation* truth_ = nullptr;
+    float room_beside_ = 0;  // [m]
+    Vec3 offset_;
+    Beside beside_, ghost_{true}, ghost_beside_{true};
     InsideDrawing drawing_;
     std::vector<Vec4> colours_;  // colours of a cloth's particles
     render::Quality quality_;
     /// True if meshes are rounded. Two compared simulations are drawn as they are.
     [[nodiscard]] bool rounds() const { return rounded_ && other_ == nullptr; }
-    bool rounded_ = true, shown_rounded_ = true;
+    /// True if a cloth's finer mesh is drawn: a map is painted on what is simulated.
+    [[nodiscard]] bool draws_fine(const SceneCloth& cloth) const { return cloth.drawn && !shown_painted_; }
+    bool rounded_ = true, shown_rounded_ = true, shown_painted_ = false;
     std::vector<render::DrawnSphere> spheres_;
     std::vector<render::DrawnCapsule> capsules_;
     std::vector<render::DrawnTaperedCapsule> tapered_capsules_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "demo/must.h"
 #include "engine/vector.h"
@@ -31,18 +32,44 @@ void follow(float& mean, float value) {
     mean = mean == 0 ? value : mean + (value - mean) / 60;
 }
 
+void set_substeps(Simulation& simulation, int substeps) {
+    for (const SceneCloth& cloth : simulation.content().cloths) {
+        auto settings = simulation.world().cloth_settings(cloth.id);
+        settings->substeps = substeps;
+        (void)simulation.world().set_cloth_settings(cloth.id, *settings);
+    }
+}
+
+void take_wind(const Simulation& from, Simulation& to) {
+    WorldSettings settings = to.world().settings();
+    settings.wind = from.world().settings().wind;
+    (void)to.world().set_settings(settings);
+}
+
 }  // namespace
 
-int balanced_substeps(int substeps, float shown, float other) {
-    if (!(shown > 0) || !(other > 0)) return substeps;
-    const float wanted = std::min(static_cast<float>(substeps) * shown / other, 64.0f);
-    return std::max(static_cast<int>(std::lround(wanted)), 1);
+BothSubsteps balanced_substeps(int least, float shown, float other) {
+    constexpr int most = 64;
+    constexpr float even = 0.095f;  // logarithm of 1.1
+    BothSubsteps best{least, least};
+    float least_off = std::numeric_limits<float>::infinity();
+    for (int mine = least; mine <= most; ++mine) {
+        const float wanted = static_cast<float>(mine) * shown / other;
+        const int its = static_cast<int>(std::lround(std::clamp(wanted, 1.0f, static_cast<float>(most))));
+        const float off = std::abs(std::log(wanted / static_cast<float>(its)));
+        if (off < least_off) best = {mine, its};
+        least_off = std::min(least_off, off);
+        if (off <= even || (mine >= 4 * least && wanted >= 1)) break;
+    }
+    return best;
 }
 
 Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fairness fairness) {
     Comparison comparison;
     comparison.method_ = other;
     comparison.fairness_ = fairness;
+    comparison.own_substeps_ = must(shown.world().cloth_settings(shown.content().cloths.front().id)).substeps;
+    comparison.shown_.substeps = comparison.other_.substeps = comparison.own_substeps_;
     return caught([&] {
         comparison.simulations_.push_back(again(shown, [&](ClothSettings& settings) {
             const bool positional =
@@ -60,7 +87,8 @@ Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fai
     });
 }
 
-void Comparison::step(const Simulation& shown, float dt) {
+void Comparison::step(Simulation& shown, float dt) {
+    for (Simulation& each : simulations_) take_wind(shown, each);
     const float shown_took = shown.world().report().milliseconds;
     const float other_took = simulations_[0].step(dt).milliseconds;
     simulations_[1].step(dt);
@@ -68,20 +96,27 @@ void Comparison::step(const Simulation& shown, float dt) {
     follow(other_.milliseconds, other_took);
     measure(shown, simulations_[1], shown_);
     measure(simulations_[0], simulations_[1], other_);
-    if (fairness_ == Fairness::same_time && ++steps_ % balanced_every == 0) balance();
+    if (fairness_ == Fairness::same_time && ++steps_ % balanced_every == 0) balance(shown);
 }
 
-/// Sets the other's substeps so that both take the same time.
-void Comparison::balance() {
-    const int substeps = balanced_substeps(other_.substeps, shown_.milliseconds, other_.milliseconds);
-    if (substeps == other_.substeps) return;
-    for (const SceneCloth& cloth : simulations_[0].content().cloths) {
-        auto settings = simulations_[0].world().cloth_settings(cloth.id);
-        settings->substeps = substeps;
-        (void)simulations_[0].world().set_cloth_settings(cloth.id, *settings);
-    }
-    other_.substeps = substeps;
-    other_.milliseconds = 0;  // measured anew
+/// Sets substeps so that both take the same time, and measures anew.
+void Comparison::balance(Simulation& shown) {
+    constexpr float within = 0.15f;  // share by which times may differ: timers are no finer
+    const float ratio = shown_.milliseconds / std::max(other_.milliseconds, 1e-6f);
+    if (!(ratio > 0) || std::abs(ratio - 1) < within) return;
+    const BothSubsteps wanted =
+        balanced_substeps(own_substeps_, shown_.milliseconds / static_cast<float>(shown_.substeps),
+                          other_.milliseconds / static_cast<float>(other_.substeps));
+    if (wanted == BothSubsteps{shown_.substeps, other_.substeps}) return;
+    set_substeps(shown, wanted.shown);
+    set_substeps(simulations_[0], wanted.other);
+    shown_.substeps = wanted.shown;
+    other_.substeps = wanted.other;
+    shown_.milliseconds = other_.milliseconds = 0;
+}
+
+void Comparison::end(Simulation& shown) const {
+    if (shown_.substeps != own_substeps_) set_substeps(shown, own_substeps_);
 }
 
 void Comparison::measure(const Simulation& of, const Simulation& exact, Side& side) {

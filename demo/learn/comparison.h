@@ -10,11 +10,17 @@ namespace weft::demo {
 /// The quantity that is equal for both.
 enum class Fairness {
     same_steps,  ///< both take the substeps that are set
-    same_time,   ///< the other takes as many substeps as fit into the shown one's time
+    same_time,   ///< the faster one takes more substeps, so that both cost the same
 };
 
-/// The number of substeps that take `shown` milliseconds, where `substeps` take `other`; 1 to 64.
-[[nodiscard]] int balanced_substeps(int substeps, float shown, float other);
+/// Substeps of the two, 1 to 64.
+struct BothSubsteps {
+    int shown = 1, other = 1;
+    friend bool operator==(const BothSubsteps&, const BothSubsteps&) = default;
+};
+/// The substeps by which both take the same time, within a tenth where the shown one's are at most four times
+/// `least`, else as nearly as can be. Times are those of one substep of each [ms], above 0.
+[[nodiscard]] BothSubsteps balanced_substeps(int least, float shown, float other);
 
 class Comparison {
   public:
@@ -22,8 +28,11 @@ class Comparison {
     /// again, or refuses the method.
     [[nodiscard]] static Result<Comparison> start(Simulation& shown, const Method& other, Fairness fairness);
 
-    /// Call this after the shown one's step of dt [s].
-    void step(const Simulation& shown, float dt);
+    /// Call this after the shown one's step of dt [s]. The others get its wind; with Fairness::same_time its
+    /// own substeps may change.
+    void step(Simulation& shown, float dt);
+    /// Gives the shown one the substeps back that it had at the start.
+    void end(Simulation& shown) const;
 
     struct Side {
         float milliseconds = 0;         ///< of a step, mean over the last second
@@ -33,16 +42,19 @@ class Comparison {
     [[nodiscard]] const Side& shown() const { return shown_; }
     [[nodiscard]] const Side& other() const { return other_; }
     [[nodiscard]] const Simulation& other_simulation() const { return simulations_[0]; }
+    /// The finely computed reference.
+    [[nodiscard]] const Simulation& truth() const { return simulations_[1]; }
     [[nodiscard]] const Method& method() const { return method_; }
 
   private:
-    void balance();
+    void balance(Simulation& shown);
     static void measure(const Simulation& of, const Simulation& exact, Side& side);
 
     std::vector<Simulation> simulations_;  // the other, the exact one
     Method method_;
     Fairness fairness_ = Fairness::same_steps;
     Side shown_, other_;
+    int own_substeps_ = 1;  // of the shown one, at the start
     int steps_ = 0;
 };
 

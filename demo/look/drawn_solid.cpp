@@ -1,6 +1,7 @@
 #include "demo/look/drawn_solid.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -10,8 +11,7 @@
 
 namespace weft::demo {
 
-DrawnSolid::DrawnSolid(const SceneSolid& solid, const Vec3& offset, render::SceneRenderer& renderer)
-    : offset_(offset), mesh_(solid.mesh) {
+DrawnSolid::DrawnSolid(const SceneSolid& solid, render::SceneRenderer& renderer) : mesh_(solid.mesh) {
     if (mesh_.positions.empty()) return;
     std::vector<std::uint32_t> each(mesh_.positions.size());
     std::iota(each.begin(), each.end(), 0u);
@@ -34,7 +34,10 @@ std::vector<Vec4> DrawnSolid::placed(const SceneSolid& solid, SolidMoment moment
     return positions;
 }
 
-void DrawnSolid::update(const SceneSolid& solid, std::uint64_t step, render::SceneRenderer& renderer) {
+void DrawnSolid::update(const SceneSolid& solid, std::uint64_t step, render::SceneRenderer& renderer,
+                        const Vec3& offset) {
+    if (offset.x != offset_.x || offset.z != offset_.z) is_drawn_ = false;
+    offset_ = offset;
     if (is_drawn_ && (!solid.place || step == step_)) return;
     const bool follows = is_drawn_ && step == step_ + 1;  // the vertices of the step before are known
     const std::vector<Vec4> previous =
@@ -111,35 +114,50 @@ Collider ColliderMotion::at(ColliderId id, float share) const {
     return collider;
 }
 
-void Beside::begin(const Simulation& other, const Simulation& first, render::SceneRenderer& renderer) {
-    Bounds box{{1e9f, 0, 0}, {-1e9f, 0, 0}};
-    for (const SceneCloth& cloth : first.content().cloths) {
-        const auto view = first.world().cloth(cloth.id);
+float room_beside(const Simulation& simulation) {
+    constexpr float huge = std::numeric_limits<float>::max(), gap = 0.4f;  // [m]
+    Vector3 lower = Vector3::Constant(huge), upper = Vector3::Constant(-huge);
+    for (const SceneCloth& cloth : simulation.content().cloths) {
+        const auto view = simulation.world().cloth(cloth.id);
         if (!view) continue;
-        box.lower.x = std::min(box.lower.x, view->bounds.lower.x);
-        box.upper.x = std::max(box.upper.x, view->bounds.upper.x);
+        lower = lower.cwiseMin(to_vector(view->bounds.lower));
+        upper = upper.cwiseMax(to_vector(view->bounds.upper));
     }
-    constexpr float gap = 0.4f;  // [m]
-    offset_ = {std::max(box.upper.x - box.lower.x, 0.0f) + gap, 0, 0};
+    const Vector3 size = (upper - lower).cwiseMax(0);
+    return std::max(size.x(), size.z()) + gap;
+}
+
+void Beside::begin(const Simulation& other, render::SceneRenderer& renderer) {
+    constexpr render::FabricLook ghost{.front = {0.10f, 0.75f, 0.95f},
+                                       .back = {0.10f, 0.75f, 0.95f},
+                                       .sheen = 0,
+                                       .threads = render::Threads::none,
+                                       .opacity = 0.4f};
     for (const SceneCloth& cloth : other.content().cloths) {
         const auto view = other.world().cloth(cloth.id);
         const std::vector<Vec2>& texcoords =
             cloth.mesh.texcoords.empty() ? cloth.mesh.pattern : cloth.mesh.texcoords;
-        cloths_.push_back(renderer.add_cloth({.triangles = cloth.mesh.triangles,
-                                              .vertex_to_particle = view->vertex_to_particle,
-                                              .texcoords = texcoords,
-                                              .look = cloth.look}));
+        render::ClothSurface surface{.triangles = cloth.mesh.triangles,
+                                     .vertex_to_particle = view->vertex_to_particle,
+                                     .texcoords = texcoords,
+                                     .look = is_ghost_ ? ghost : cloth.look};
+        if (!is_ghost_ && !cloth.drawn) {  // the parts are those of the mesh that is drawn elsewhere
+            surface.parts = cloth.surface.parts;
+            surface.part_of_triangle = cloth.surface.of_triangle;
+        }
+        cloths_.push_back(renderer.add_cloth(surface));
     }
-    for (const SceneSolid& solid : other.content().solids) solids_.emplace_back(solid, offset_, renderer);
+    if (is_ghost_) return;
+    for (const SceneSolid& solid : other.content().solids) solids_.emplace_back(solid, renderer);
 }
 
 std::span<const Vec4> Beside::moved(std::span<const Vec4> positions, std::vector<Vec4>& to) const {
     to.assign(positions.begin(), positions.end());
-    for (Vec4& p : to) p.x += offset_.x;
+    for (Vec4& p : to) p = {p.x + offset_.x, p.y + offset_.y, p.z + offset_.z, p.w};
     return to;
 }
 
-void Beside::show(const Simulation* other, const Simulation& first, render::SceneRenderer& renderer) {
+void Beside::show(const Simulation* other, const Vec3& offset, render::SceneRenderer& renderer) {
     if (other == nullptr) {
         for (const render::ClothHandle cloth : cloths_) renderer.remove_cloth(cloth);
         for (DrawnSolid& solid : solids_) solid.remove(renderer);
@@ -147,19 +165,20 @@ void Beside::show(const Simulation* other, const Simulation& first, render::Scen
         solids_.clear();
         return;
     }
-    if (cloths_.empty()) begin(*other, first, renderer);
+    offset_ = offset;
+    if (cloths_.empty()) begin(*other, renderer);
     for (std::size_t i = 0; i < cloths_.size(); ++i) {
         const SceneCloth& cloth = other->content().cloths[i];
         const auto view = other->world().cloth(cloth.id);
         if (!view) continue;
-        colour_particles(ShownAsColour::nothing, cloth, *view, colours_);
+        if (!is_ghost_) colour_particles(ShownAsColour::nothing, cloth, *view, colours_);
         renderer.update_cloth(cloths_[i], {.positions = moved(view->positions, positions_),
                                            .previous_positions = moved(view->previous_positions, previous_),
                                            .normals = view->normals,
                                            .colours = colours_});
     }
     for (std::size_t i = 0; i < solids_.size(); ++i)
-        solids_[i].update(other->content().solids[i], other->world().report().step, renderer);
+        solids_[i].update(other->content().solids[i], other->world().report().step, renderer, offset_);
 }
 
 }  // namespace weft::demo

@@ -16,10 +16,12 @@ namespace weft::demo {
 /// A scene's solid as the renderer has it.
 class DrawnSolid {
   public:
-    /// Shows the solid moved by `offset` [m]. The renderer draws it from the first update() on.
-    DrawnSolid(const SceneSolid& solid, const Vec3& offset, render::SceneRenderer& renderer);
-    /// Streams the solid's vertices, if it moves and the World has taken a step since.
-    void update(const SceneSolid& solid, std::uint64_t step, render::SceneRenderer& renderer);
+    /// The renderer draws the solid from the first update() on.
+    DrawnSolid(const SceneSolid& solid, render::SceneRenderer& renderer);
+    /// Streams the solid's vertices, displaced by `offset` [m], if the offset is another, or it moves and the
+    /// World has taken a step since.
+    void update(const SceneSolid& solid, std::uint64_t step, render::SceneRenderer& renderer,
+                const Vec3& offset = {});
     void remove(render::SceneRenderer& renderer) { renderer.remove_cloth(handle_); }
 
   private:
@@ -54,23 +56,27 @@ class ColliderMotion {
     std::map<Key, Motion> motions_;
 };
 
-/// Another simulation of the same scene, drawn beside the first.
+/// Another simulation of the same scene, drawn displaced.
 class Beside {
   public:
-    /// Shows `other`, or nothing if it is null. Adds and removes drawn cloths as needed.
-    void show(const Simulation* other, const Simulation& first, render::SceneRenderer& renderer);
-    /// Displacement of the other from its own place [m].
-    [[nodiscard]] const Vec3& offset() const { return offset_; }
-    [[nodiscard]] bool shown() const { return !cloths_.empty(); }
+    /// A ghost is translucent, casts no shadow and has no solids.
+    explicit Beside(bool is_ghost = false) : is_ghost_(is_ghost) {}
+    /// Shows `other` displaced by `offset` [m], or nothing if it is null. Adds and removes drawn cloths as
+    /// needed.
+    void show(const Simulation* other, const Vec3& offset, render::SceneRenderer& renderer);
 
   private:
-    void begin(const Simulation& other, const Simulation& first, render::SceneRenderer& renderer);
+    void begin(const Simulation& other, render::SceneRenderer& renderer);
     [[nodiscard]] std::span<const Vec4> moved(std::span<const Vec4> positions, std::vector<Vec4>& to) const;
 
     std::vector<render::ClothHandle> cloths_;
     std::vector<DrawnSolid> solids_;
+    bool is_ghost_;
     Vec3 offset_;
     std::vector<Vec4> positions_, previous_, colours_;
 };
+
+/// Distance at which a second simulation of the scene is clear of the first, whatever the camera's side [m].
+[[nodiscard]] float room_beside(const Simulation& simulation);
 
 }  // namespace weft::demo

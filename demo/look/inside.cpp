@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "demo/character/garment/garment_mesh.h"
+#include "demo/hands/brush.h"
 #include "engine/vector.h"
 
 namespace weft::demo {
@@ -75,6 +76,14 @@ void colour_particles(ShownAsColour what, const SceneCloth& cloth, const ClothVi
     collect(mesh, view, colours, [&](std::uint32_t, std::uint32_t, std::uint32_t p, std::uint32_t q) {
         return (xyz(view.normals[p]) - xyz(view.normals[q])).norm() / 0.77f;  // the chord of 45 degrees
     });
+}
+
+void colour_by_map(Map map, const SceneCloth& cloth, const ClothView& view, std::vector<Vec4>& colours) {
+    colours.assign(view.positions.size(), Vec4{});
+    const auto painted = std::ranges::find(cloth.maps, map, &PaintedMap::map);
+    if (painted == cloth.maps.end()) return;
+    for (std::size_t v = 0; v < painted->values.size() && v < view.vertex_to_particle.size(); ++v)
+        colours[view.vertex_to_particle[v]] = colour_of_paint(map, painted->values[v]);
 }
 
 const char* scale_of(ShownAsColour what) {

@@ -1,6 +1,7 @@
 #pragma once
 // Views into the cloth's state: wireframe, colours by a quantity, lines and words.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ enum class ShownAsColour { nothing, strain, bending, speed };
 
 struct Inside {
     bool wireframe = false;
+    std::optional<Map> painted{};  ///< a brush paints this map: its values are shown, on the simulated mesh
     ShownAsColour colour = ShownAsColour::nothing;
     DebugParts parts = DebugParts::none;  ///< drawn as lines and words
 
@@ -32,6 +34,9 @@ struct InsideDrawing : Annotation {
 /// degrees between neighbours, or at 10 m/s. For ShownAsColour::nothing the cloth's tints, or none.
 void colour_particles(ShownAsColour what, const SceneCloth& cloth, const ClothView& view,
                       std::vector<Vec4>& colours);
+
+/// Colours of particles by a painted map; where it has its default the cloth's own show.
+void colour_by_map(Map map, const SceneCloth& cloth, const ClothView& view, std::vector<Vec4>& colours);
 
 /// The meaning of the colour scale's ends, for a legend.
 [[nodiscard]] const char* scale_of(ShownAsColour what);

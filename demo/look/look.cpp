@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -120,12 +121,17 @@ std::string begin_or_end_film(Recorder& recorder) {
     return stopped ? "recorded " + *stopped : stopped.error().message;
 }
 
-/// Draws words with a contrasting shadow, legible on any background.
-void draw(const ShownWords& words, const render::OrbitCamera& camera) {
+/// Draws words with a contrasting shadow, legible on any background. `above`: they end at their place, with
+/// their middle over it; otherwise they begin there.
+void draw(const ShownWords& words, const render::OrbitCamera& camera, bool above = false) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const auto seen = project(camera, words.at, size.x / size.y);  // in picture heights
     if (!seen) return;
-    const ImVec2 place(size.y * seen->x, size.y * seen->y);
+    ImVec2 place(size.y * seen->x, size.y * seen->y);
+    if (above) {
+        const ImVec2 extent = ImGui::CalcTextSize(words.words.c_str());
+        place = {std::max(place.x - 0.5f * extent.x, 0.0f), std::max(place.y - extent.y, 0.0f)};
+    }
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const Vec3& colour = words.colour;
     const bool dark = colour.x + colour.y + colour.z < 1.5f;
@@ -133,6 +139,17 @@ void draw(const ShownWords& words, const render::OrbitCamera& camera) {
                  words.words.c_str());
     list.AddText(place, ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, 1}),
                  words.words.c_str());
+}
+
+/// Draws what a compared cloth is computed by, and its cost and error, in three lines.
+void draw_side(Vec3 at, const char* method, const Comparison::Side& side, const render::OrbitCamera& camera) {
+    constexpr Vec3 white{1, 1, 1};
+    char words[160];
+    std::snprintf(words, sizeof words, "%s, %d substep%s\n%.2f ms a step\n%.1f mm off, at most %.0f mm",
+                  method, side.substeps, side.substeps == 1 ? "" : "s",
+                  static_cast<double>(side.milliseconds), static_cast<double>(side.usual),
+                  static_cast<double>(side.farthest));
+    draw({at, words, white}, camera, true);
 }
 
 }  // namespace
@@ -167,20 +184,25 @@ void draw_names(const Picture& picture, const Simulation& shown, const Compariso
     const Bounds& box = cloth->bounds;
     const Vec3 over{0.5f * (box.lower.x + box.upper.x), box.upper.y + 0.15f,
                     0.5f * (box.lower.z + box.upper.z)};
-    constexpr Vec3 white{1, 1, 1};
-    draw({over, entry_of(settings->method).title, white}, camera);
-    draw({{over.x + picture.beside(), over.y, over.z}, entry_of(comparison.method()).title, white}, camera);
+    const Vec3& beside = picture.beside();
+    draw_side({over.x, over.y, over.z}, entry_of(settings->method).title, comparison.shown(), camera);
+    draw_side({over.x + beside.x, over.y, over.z + beside.z}, entry_of(comparison.method()).title,
+              comparison.other(), camera);
 }
 
-void make_room_beside(render::OrbitCamera& camera, float beside, float& before) {
-    if (beside == before) return;
+void make_room_for_panels(render::OrbitCamera& camera, float covered, float width, float height) {
+    if (width <= 0 || height <= 0) return;
+    constexpr float wide_enough = 1.15f;
+    camera.shift = covered / width;
+    camera.shrink = std::min(1.0f, (width - covered) / height / wide_enough);
+}
+
+void make_room_beside(render::OrbitCamera& camera, const Vec3& beside, Vec3& before) {
     constexpr float part = 0.55f;  // share of the distance: the view had some room
-    if (before > 0) {
-        camera.target.x -= 0.5f * before;
-        camera.distance = std::max(0.2f, camera.distance - part * before);  // the user may have zoomed in
-    }
-    camera.target.x += 0.5f * beside;
-    camera.distance += part * beside;
+    const float now = std::hypot(beside.x, beside.z), then = std::hypot(before.x, before.z);
+    camera.target.x += 0.5f * (beside.x - before.x);
+    camera.target.z += 0.5f * (beside.z - before.z);
+    if (std::abs(now - then) > 1e-3f) camera.distance = std::max(0.2f, camera.distance + part * (now - then));
     before = beside;
 }
 

@@ -54,6 +54,7 @@ struct Look {
     std::string settings_file = "weft-settings.json";
     std::optional<Comparison> comparison;
     bool wants_comparison = false;  ///< the scene is to restart with a comparison
+    bool ends_comparison = false;   ///< the comparison is to end, and the scene to go on
     Method compared = Xpbd{};
     Fairness fairness = Fairness::same_time;
     bool by_processor = false;  ///< a processor draws the pictures
@@ -69,13 +70,18 @@ void draw_picture(Picture& picture, const render::View& view, int width, int hei
 /// Draws the inside's words over the picture. Called between the panels' begin() and end().
 void draw_words(const Picture& picture, const render::OrbitCamera& camera);
 
-/// Draws the method's name over each of the compared cloths. Called where draw_words() is.
+/// Draws the method's name, its cost and its error over each of the compared cloths. Called where
+/// draw_words() is.
 void draw_names(const Picture& picture, const Simulation& shown, const Comparison& comparison,
                 const render::OrbitCamera& camera);
 
-/// Moves the camera so that both compared scenes are seen; 0 moves it back. `beside`: distance of the second
-/// scene [m]; `before`: that of the last call.
-void make_room_beside(render::OrbitCamera& camera, float beside, float& before);
+/// Fits the whole scene into the part of a window that panels leave free: they cover so much of its right
+/// [pixels].
+void make_room_for_panels(render::OrbitCamera& camera, float covered, float width, float height);
+
+/// Moves the camera so that both compared scenes are seen; 0 moves it back. `beside`: displacement of the
+/// second scene [m]; `before`: that of the last call.
+void make_room_beside(render::OrbitCamera& camera, const Vec3& beside, Vec3& before);
 
 /// Saves and records the pictures that the look asks for, at full quality and without space for panels.
 /// Returns the outcome in words; empty: nothing was done.

@@ -257,6 +257,10 @@ void describe(CLI::App& app, Options& options) {
            },
            "Size of window and pictures [pixels] (default: 1280x800)")
         ->type_name("WxH");
+    app.add_option_function<std::string>(
+           "--compare", [&options](const std::string& name) { options.compare = find_method(name)->method; },
+           "Show the same scene by this method beside it, and how far both are from the true motion")
+        ->check(CLI::IsMember(method_names()));
     app.add_option("--record", options.overrides.record,
                    "Write down all that is done to the cloth, for weft_replay")
         ->type_name("FILE");

@@ -80,6 +80,7 @@ struct Options : SimulationOptions {
     double turn = 0;                 ///< angle of the camera round the scene, from its own place [degrees]
     std::filesystem::path out = "out";
     std::optional<SequenceFormat> sequence;  ///< format of the frames' cloth in `out`; none: none is written
+    std::optional<Method> compare;           ///< a second simulation by this method stands beside the first
     std::filesystem::path trace;             ///< empty: none is kept
     bool check_gl = false;                   ///< the driver checks each call
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "demo/hands/hands.h"
 #include "demo/hands/overlay.h"
 #include "demo/headless/report_text.h"
 #include "demo/panels/widgets.h"
@@ -82,6 +83,7 @@ void Panels::draw_column(Simulation& simulation, WindControl& wind, Hands& hands
     note(wind_panel(simulation, wind, camera));
     hands_panel(hands);
     note(cloth_panel(simulation));
+    note(paint_panel(simulation, hands.brush, look.inside, message));
     picture_panel(look);
     files_panel(simulation, look, own_file);
     note(inside_panel(simulation, look.inside));
@@ -148,7 +150,9 @@ Result<void> set_all_cloths(Simulation& simulation, const ClothSettings& setting
 namespace {
 
 constexpr const char* lines[][2] = {
-    {"left drag", "the wind's arrow, cloth, a ball or box; beside them, the camera; with shift, cuts"},
+    {"left drag",
+     "the wind's arrow, cloth, a ball or box; beside them, the camera; with shift, cuts; with the brush, "
+     "paints"},
     {"right drag, wheel", "moves the camera, comes nearer; over what is held: its size"},
     {"arrow keys", "turn the wind; make it faster or slower"},
     {"T, P, F, B", "where the pointer is: throws a ball, pins or lets go, a fan, a blast"},

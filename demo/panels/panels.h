@@ -15,6 +15,7 @@
 
 namespace weft::demo {
 
+class Brush;
 class Hands;
 
 /// How time passes in the window.
@@ -108,6 +109,9 @@ void gallery(bool& shown, const SceneEntry& chosen, const SceneEntry& lab, Scene
                                       const render::OrbitCamera& camera);
 [[nodiscard]] Result<void> method_panel(Simulation& simulation);
 [[nodiscard]] Result<void> cloth_panel(Simulation& simulation);
+/// `message` gets the outcome of saving.
+[[nodiscard]] Result<void> paint_panel(Simulation& simulation, Brush& brush, Inside& inside,
+                                       std::string& message);
 void picture_panel(Look& look);
 void compare_panel(const Simulation& simulation, Look& look);
 void files_panel(const Simulation& simulation, Look& look, bool& own_file);

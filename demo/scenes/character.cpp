@@ -47,6 +47,8 @@ class Walkers final : public Scene {
             const Vec3 colour = number == 0 ? character.garment().colour : crowd_colours[number % 4];
             SceneCloth& cloth = content.cloths.emplace_back(
                 SceneCloth{character.cloth(), character.garment().mesh, two_sided(colour)});
+            cloth.surface = character.garment().surface;
+            cloth.maps = character.garment().maps;
             if (const Mesh& fine = character.garment().fine; !fine.positions.empty())
                 must(draw_over(cloth, world, fine, {.reach = character.garment().reach}));
             content.clad_colliders.insert(content.clad_colliders.end(), character.colliders().begin(),
@@ -65,6 +67,11 @@ class Walkers final : public Scene {
 
     void before_step(World& world, double time, float dt) override {
         for (Character& character : walkers_) character.before_step(world, time, dt);
+    }
+
+    [[nodiscard]] Result<void> give_skin(World& world, ClothId cloth) override {
+        const auto worn = std::ranges::find(walkers_, cloth, &Character::cloth);
+        return worn == walkers_.end() ? Scene::give_skin(world, cloth) : worn->give_skin(world);
     }
 
     void go_to(double time) override {

@@ -8,6 +8,8 @@
 
 #include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/gltf_file.h"
+#include "demo/character/garment/obj_materials.h"
+#include "demo/character/garment/painted_maps.h"
 #include "demo/must.h"
 #include "demo/scene.h"
 #include "demo/scenes/measures.h"
@@ -15,8 +17,8 @@
 namespace weft::demo {
 namespace {
 
+constexpr Vec3 cloth_colour{0.13f, 0.32f, 0.26f};
 constexpr float above_ground = 0.45f;  // the lowest point's height at the start [m]
-constexpr float more_reach = 0.002f;   // by which drawn vertices are bound beyond the farthest one [m]
 
 std::vector<std::uint32_t> held_vertices(const Mesh& mesh, Hold hold) {
     switch (hold) {
@@ -38,24 +40,55 @@ std::string unit_in_words(const std::filesystem::path& file, float unit) {
     return file.filename().string() + words + ", which gives it a garment's size";
 }
 
-/// The file's mesh, its triangles quartered while `particles` is more than twice the number of vertices.
-/// `note`: a unit that was guessed.
-Result<Mesh> load_garment(const SceneOptions& options, std::string& note) {
-    const bool gltf = is_gltf(options.garment);
-    auto loaded =
-        gltf ? read_gltf_mesh(options.garment) : load_obj(options.garment, {.texcoords_are_pattern = true});
-    if (!loaded && !gltf) loaded = load_obj(options.garment);  // some corners have no texture coordinates
-    if (!loaded) return loaded.error();
-    Mesh mesh = std::move(*loaded);
-    if (options.y_is_up || gltf)
+/// The colours of an OBJ file's materials; none where it has no materials.
+SurfaceParts surface_of(const std::filesystem::path& obj, const ObjMaterials& materials,
+                        std::vector<std::string>& notes) {
+    return materials.names.empty() ? SurfaceParts() : read_mtl(obj, materials, cloth_colour, notes);
+}
+
+Mesh load_mesh(const std::filesystem::path& obj) {
+    auto loaded = load_obj(obj, {.texcoords_are_pattern = true});
+    return loaded ? *std::move(loaded) : must(load_obj(obj));  // some corners may have no texture coordinates
+}
+
+/// Reads maps, of which those that need a body are left out.
+void take_maps(const std::filesystem::path& file, std::size_t vertices, std::span<const Vec3> painted,
+               Garment& garment) {
+    must(read_maps(file, vertices, painted, garment));
+    const auto needs_body = [](const PaintedMap& each) {
+        return each.map == Map::leash || each.map == Map::backstop || each.map == Map::backstop_radius;
+    };
+    if (std::erase_if(garment.maps, needs_body) > 0)
+        garment.notes.push_back("leashes and backstops are left out: they need somebody who wears the cloth");
+}
+
+/// Reads the file. Triangles are quartered while `particles` is more than twice the number of vertices.
+Garment load_garment(const SceneOptions& options) {
+    const std::filesystem::path& file = options.garment;
+    Garment garment;
+    Mesh& mesh = garment.mesh;
+    if (is_gltf(file)) {
+        GltfSurface surface;
+        mesh = must(read_gltf_mesh(file, &surface));
+        garment.surface = std::move(surface.parts);
+        garment.notes = std::move(surface.notes);
+        // The maps of somebody's clothes count the vertices of what is worn alone.
+        if (!has_skin(file)) take_maps(file, mesh.positions.size(), {}, garment);
+    } else {
+        mesh = load_mesh(file);
+        const ObjMaterials materials = must(read_obj_materials(file));
+        garment.surface = surface_of(file, materials, garment.notes);
+        take_maps(file, materials.vertices, read_vertex_colours(file), garment);
+    }
+    if (options.y_is_up || is_gltf(file))
         for (Vec3& p : mesh.positions) p = {p.x, -p.z, p.y};
     const float unit = options.unit > 0 ? options.unit : guessed_unit(mesh);
     for (Vec3& p : mesh.positions) p = to_vec3(unit * to_vector(p));
-    if (options.unit == 0 && unit != 1) note = unit_in_words(options.garment, unit);
+    if (options.unit == 0 && unit != 1) garment.notes.push_back(unit_in_words(file, unit));
     drop_unfit_pattern(mesh);
     stand_upright(mesh, above_ground);
-    while (options.particles > 2 * mesh.positions.size()) mesh = refined(mesh);
-    return mesh;
+    while (options.particles > 2 * mesh.positions.size()) refine(garment);
+    return garment;
 }
 
 class HungGarment final : public Scene {
@@ -70,27 +103,26 @@ class HungGarment final : public Scene {
             return Error{ErrorCode::invalid_argument,
                          "scene garment needs an OBJ or glTF file; name one with --garment"};
         }
-        mesh_ = must(load_garment(options, note_));
-        Mesh drawn;
-        ProxyReport made;
-        if (options.simulated > 0) {
-            auto proxy = make_proxy(mesh_, {.particles = options.simulated}, &made);
-            if (!proxy) return Error{proxy.error().code, "--simulate: " + proxy.error().message};
-            drawn = std::exchange(mesh_, std::move(*proxy));
-        }
+        Garment garment = load_garment(options);
+        if (options.simulated > 0) must(simulate_proxy(garment, options.simulated));
+        mesh_ = garment.mesh;
 
         ClothSettings settings;
         settings.fabric.areal_density = 0.18f;
         settings.self_collision.method = SelfCollisionMethod::contact;
         cloth_ = must(world.add_cloth(mesh_, settings));
         pins_ = held_vertices(mesh_, options.hold);
+        pins_.insert(pins_.end(), garment.fixed.begin(), garment.fixed.end());
         must(world.pin(cloth_, pins_));
+        for (const PaintedMap& painted : garment.maps)
+            must(world.set_map(cloth_, painted.map, painted.values));
         must(world.add_collider({.shape = Plane{}}));
         SceneContent content = this->content(world);
-        if (options.simulated == 0) return content;
-        must(draw_over(content.cloths.front(), world, drawn, {.reach = made.reach + more_reach}));
-        content.notes.push_back(std::to_string(drawn.positions.size()) + " vertices are drawn over " +
-                                std::to_string(mesh_.positions.size()) + " that are simulated");
+        SceneCloth& cloth = content.cloths.front();
+        cloth.surface = std::move(garment.surface);
+        cloth.maps = std::move(garment.maps);
+        content.notes = std::move(garment.notes);
+        if (options.simulated > 0) must(draw_over(cloth, world, garment.fine, {.reach = garment.reach}));
         return content;
     }
 
@@ -108,8 +140,7 @@ class HungGarment final : public Scene {
     [[nodiscard]] SceneContent content(const World& world) const {
         const Bounds box = must(world.cloth(cloth_)).bounds;
         SceneContent content;
-        content.cloths.push_back({cloth_, mesh_, two_sided({0.13f, 0.32f, 0.26f})});
-        if (!note_.empty()) content.notes.push_back(note_);
+        content.cloths.push_back({cloth_, mesh_, two_sided(cloth_colour)});
         const float size = std::max(
             {box.upper.x - box.lower.x, box.upper.y - box.lower.y, 0.7f * (box.upper.z - box.lower.z)});
         content.camera = {.target = {0, 0.5f * (box.lower.y + box.upper.y) - 0.05f, 0},
@@ -122,7 +153,6 @@ class HungGarment final : public Scene {
     ClothId cloth_;
     Mesh mesh_;
     std::vector<std::uint32_t> pins_;
-    std::string note_;
 };
 
 }  // namespace

@@ -61,6 +61,9 @@ class App {
           last_(glfwGetTime()) {
         picture_.shows_wind = false;  // the hands draw an arrow of their own
         arrive();
+        if (!options_.compare) return;
+        panels_.look.compared = *options_.compare;
+        panels_.look.wants_comparison = true;
     }
 
     [[nodiscard]] int run(const AppLook& look) {
@@ -95,7 +98,8 @@ class App {
         const double seconds = now - std::exchange(last_, now);
         for (const auto& file : take_dropped_files()) take_file(file);
         layer_.begin(size.width, size.height, static_cast<float>(seconds));
-        make_room();
+        make_room_for_panels(camera_, panels_.covered(), ImGui::GetIO().DisplaySize.x,
+                             ImGui::GetIO().DisplaySize.y);
         if (!size.empty()) use_hands(size.aspect(), static_cast<float>(seconds));
         if (!size.empty()) drift(size.aspect(), static_cast<float>(seconds));
         if (!layer_.wants_keyboard()) read_keys(static_cast<float>(seconds));
@@ -104,7 +108,11 @@ class App {
 
         Look& look = panels_.look;
         picture_.set_look(look.quality.now(), look.inside);
-        picture_.set_beside(look.comparison ? &look.comparison->other_simulation() : nullptr);
+        if (look.comparison)
+            picture_.set_beside(look.comparison->other_simulation(), look.comparison->truth(), simulation_,
+                                camera_.yaw);
+        else
+            picture_.set_alone();
         picture_.update(simulation_);
         make_room_beside(camera_, picture_.beside(), beside_);
         const render::View& view = picture_.view(
@@ -126,6 +134,7 @@ class App {
         if (time.go_to) go_to(*time.go_to);
         if (requests.restart || requests.reload || time.restart) restart();
         if (time.defaults) change_scene(simulation_.entry());
+        if (std::exchange(panels_.look.ends_comparison, false)) end_comparison();
         if (std::exchange(panels_.look.wants_comparison, false)) compare();
         keep_settings();
         if (requests.scene == nullptr) return;
@@ -185,6 +194,7 @@ class App {
     /// Restores a moment of the timeline.
     void go_to(std::size_t which) {
         if (which >= timeline_.size()) return;
+        end_comparison();  // what is compared has no past to go to
         const HandMark mark = timeline_.mark_of(which);
         note(hands_.prepare(simulation_, mark));
         if (auto gone = timeline_.go_to(which, simulation_); !gone) return complain(gone.error());
@@ -253,6 +263,7 @@ class App {
     }
 
     void restart() {
+        end_comparison();
         if (auto restarted = simulation_.restart(); !restarted) return complain(restarted.error());
         begin_anew();
     }
@@ -268,7 +279,7 @@ class App {
 
     /// Resets all that belonged to the previous world.
     void begin_anew() {
-        picture_.set_beside(nullptr);
+        picture_.set_alone();
         picture_.show(simulation_);
         cloths_.clear();
         for (const SceneCloth& cloth : simulation_.content().cloths) cloths_.push_back(cloth.id);
@@ -283,18 +294,9 @@ class App {
     void arrive() {
         begin_anew();
         camera_ = simulation_.content().camera;
-        beside_ = 0;
+        beside_ = {};
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
         for (const std::string& note : simulation_.content().notes) panels_.message += note + "\n";
-    }
-
-    /// Fits the whole scene into the part of the window that panels leave free.
-    void make_room() {
-        const ImVec2 window = ImGui::GetIO().DisplaySize;
-        if (window.x <= 0 || window.y <= 0) return;
-        constexpr float wide_enough = 1.15f;
-        camera_.shift = panels_.covered() / window.x;
-        camera_.shrink = std::min(1.0f, (window.x - panels_.covered()) / window.y / wide_enough);
     }
 
     void take_file(const std::filesystem::path& file) {
@@ -311,6 +313,11 @@ class App {
         if (auto loaded = load_settings(file, simulation_); !loaded) return complain(loaded.error());
         wind_ = WindControl(simulation_.world().settings().wind.velocity);
         panels_.message = "loaded " + file.string();
+    }
+
+    void end_comparison() {
+        if (panels_.look.comparison) panels_.look.comparison->end(simulation_);
+        panels_.look.comparison.reset();
     }
 
     void compare() {
@@ -361,7 +368,7 @@ class App {
     FixedStep clock_;
     double last_;            // time of the last picture [s]
     float alpha_ = 1;        // blend between the last two steps
-    float beside_ = 0;       // distance of the second scene that the camera makes room for [m]
+    Vec3 beside_;            // displacement of the second scene that the camera makes room for [m]
     bool objected_ = false;  // the driver reported a problem
     Hands hands_;
     Gamepad pad_;

@@ -5,23 +5,19 @@
 #include <vector>
 
 #include "demo/character/body/body.h"
+#include "demo/character/garment/map_names.h"
+#include "demo/character/garment/surface_parts.h"
 #include "weft/error.h"
-#include "weft/maps.h"
 #include "weft/mesh.h"
 
 namespace weft::demo {
-
-/// A map with its value for each vertex.
-struct PaintedMap {
-    Map map;
-    std::vector<float> values;
-};
 
 struct Garment {
     Mesh mesh;
     std::vector<std::uint32_t>
         fixed;  ///< vertices, ascending, at least one for each fixed position; empty: none is fixed
     Vec3 colour{0.30f, 0.05f, 0.12f};  ///< linear RGB
+    SurfaceParts surface{};            ///< colours by material, of `fine` where it is there, else of `mesh`
     bool stands_ready = false;         ///< round a body in its stance; otherwise fit() moves it there
     bool from_waist = false;           ///< it hangs from the waist, not from neck and shoulders
     std::vector<PaintedMap> maps{};    ///< without Map::pin, whose vertices are in `fixed`
@@ -29,6 +25,9 @@ struct Garment {
     float reach = 0.1f;  ///< greatest distance of its vertices from `mesh` [m]
     std::vector<std::string> notes;  ///< faults that the reader tolerated: a missing material file
 };
+
+/// Cuts every triangle in four. New vertices have the mean of the maps' values at their edges' ends.
+void refine(Garment& garment);
 
 /// Has a proxy of about `particles` particles (weft/proxy.h) simulated in place of the garment's mesh, which
 /// becomes `fine`. What is fixed, and maps, are carried over. Returns the vertex of `fine` that is nearest to

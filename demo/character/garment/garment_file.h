@@ -13,9 +13,9 @@ namespace weft::demo {
 /// and stands anywhere. The body holds it by its highest opening: round the waist if it has one other
 /// opening, otherwise about the neck.
 ///
-/// The names alone decide. The file that `mtllib` names gives the colour (Kd of the first Free material).
-/// Where the file or the material is missing, the garment has its default colour and a note says so. Texture
-/// coordinates in metres are the flat pattern. Maps may stand beside the file (painted_maps.h).
+/// The names alone decide what is simulated. The file that `mtllib` names gives each material's colour (Kd)
+/// and picture (map_Kd). Where it or a material is missing, the default colour is taken and a note says so.
+/// Texture coordinates in metres are the flat pattern. Maps may stand beside the file (painted_maps.h).
 ///
 /// `unit`: metres in a unit of the file; 0: a garment's size decides. Errors: load_obj's; read_maps';
 /// materials none of which ends in "Free"; a garment whose longest side is above 3 m or below 0.1 m.

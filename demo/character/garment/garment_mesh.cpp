@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "demo/character/garment/garment.h"
 #include "engine/vector.h"
 
 namespace weft::demo {
@@ -129,6 +130,17 @@ Mesh refined(const Mesh& mesh) {
         fine.triangles.insert(fine.triangles.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
     }
     return fine;
+}
+
+void refine(Garment& garment) {
+    for (PaintedMap& painted : garment.maps) {
+        Mesh carrier{.positions = garment.mesh.positions, .triangles = garment.mesh.triangles};
+        for (const float value : painted.values) carrier.texcoords.push_back({value, 0});
+        painted.values.clear();
+        for (const Vec2& value : refined(carrier).texcoords) painted.values.push_back(value.x);
+    }
+    garment.mesh = refined(garment.mesh);
+    garment.surface = refined(garment.surface);
 }
 
 float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -19,6 +21,41 @@ constexpr double frame_rate = 60, longest_animation = 600;  // [Hz], [s]
 /// Limit on frames times nodes and on frames times tracks: half a gigabyte of poses, made in a second or two.
 constexpr std::size_t most_poses = std::size_t{1} << 25;
 
+/// Decoded pictures and materials of parts, one SurfaceParts' part each.
+class SurfaceReader {
+  public:
+    /// `notes` gets what cannot be shown. Both must outlive this.
+    SurfaceReader(const GltfAsset& asset, std::vector<std::string>& notes)
+        : asset_(asset), notes_(notes), pictures_(asset.pictures().size()) {}
+
+    void append(const GltfPart& part, const Vec3& default_colour, SurfaceParts& to) {
+        const auto picture = part.picture ? picture_of(*part.picture) : nullptr;
+        const auto number = static_cast<std::uint32_t>(to.parts.size());
+        to.parts.push_back(part_of(part.colour.value_or(picture ? Vec3{1, 1, 1} : default_colour), picture));
+        to.of_triangle.insert(to.of_triangle.end(), part.mesh.triangles.size(), number);
+    }
+
+  private:
+    using Shown = std::shared_ptr<const render::Image>;
+    Shown picture_of(std::size_t index) {
+        if (pictures_[index]) return *pictures_[index];
+        const GltfPicture& from = asset_.pictures()[index];
+        auto decoded = decode_picture(from.bytes, "picture " + std::to_string(index) + " " + from.name);
+        if (!decoded) notes_.push_back(decoded.error().message);
+        pictures_[index] = decoded ? *std::move(decoded) : Shown();
+        return *pictures_[index];
+    }
+
+    const GltfAsset& asset_;
+    std::vector<std::string>& notes_;
+    std::vector<std::optional<Shown>> pictures_;  // none: not decoded yet
+};
+
+/// glTF's texture coordinates run downwards.
+void turn_up(std::vector<Vec2>& texcoords) {
+    for (Vec2& each : texcoords) each.y = 1 - each.y;
+}
+
 class GltfReader {
   public:
     GltfReader(GltfAsset asset, bool with_body) : asset_(std::move(asset)), with_body_(with_body) {}
@@ -29,6 +66,7 @@ class GltfReader {
         make_skeleton();
         if (auto motion = read_motion(); !motion) return motion.error();
         if (auto mesh = read_meshes(); !mesh) return mesh.error();
+        turn_up(character_.worn.mesh.texcoords);
         character_.garment.mesh = character_.worn.mesh;
         return std::move(character_);
     }
@@ -162,6 +200,7 @@ class GltfReader {
         Garment& garment = character_.garment;
         garment.stands_ready = true;
         bool any_free = false;
+        SurfaceReader surface(asset_, garment.notes);
         const std::vector<SkinPart> parts = skin_parts();
         if (auto noted = note_left_out(parts); !noted) return noted;
         for (const SkinPart& part : parts)
@@ -178,6 +217,7 @@ class GltfReader {
             any_free = any_free || free;
             const std::size_t first = character_.worn.mesh.positions.size();
             append(part, worn ? character_.worn : character_.body);
+            if (worn) surface.append(part, garment.colour, garment.surface);
             for (std::size_t v = first; !free && v < character_.worn.mesh.positions.size(); ++v)
                 garment.fixed.push_back(static_cast<std::uint32_t>(v));
         }
@@ -199,6 +239,12 @@ class GltfReader {
                                  part.mesh.positions.end());
         for (const auto& [a, b, c] : part.mesh.triangles)
             to.mesh.triangles.push_back({first + a, first + b, first + c});
+        if (!to.mesh.texcoords.empty() || !part.mesh.texcoords.empty()) {  // 0 where others have some
+            to.mesh.texcoords.resize(first);
+            to.mesh.texcoords.insert(to.mesh.texcoords.end(), part.mesh.texcoords.begin(),
+                                     part.mesh.texcoords.end());
+            to.mesh.texcoords.resize(first + vertices);
+        }
         to.joints.resize(to.influences * (first + vertices));
         to.weights.resize(to.joints.size());
         for (std::size_t i = 0; i < part.joints.size(); ++i) {
@@ -239,7 +285,7 @@ bool has_skin(const std::filesystem::path& file) {
     return asset && !asset->joints().empty();
 }
 
-Result<Mesh> read_gltf_mesh(const std::filesystem::path& file) {
+Result<Mesh> read_gltf_mesh(const std::filesystem::path& file, GltfSurface* surface) {
     const auto asset = GltfAsset::load(file);
     if (!asset) return asset.error();
     if (!asset->left_out().empty()) {  // all of the file is the garment
@@ -247,6 +293,11 @@ Result<Mesh> read_gltf_mesh(const std::filesystem::path& file) {
         return Error{fault.code, file.string() + ": " + fault.message};
     }
     Mesh mesh = asset->mesh();
+    turn_up(mesh.texcoords);
+    if (surface != nullptr) {
+        SurfaceReader reader(*asset, surface->notes);
+        for (const GltfPart& part : asset->parts()) reader.append(part, Garment().colour, surface->parts);
+    }
     if (!mesh.triangles.empty()) return mesh;
     return Error{ErrorCode::invalid_mesh,
                  file.string() + ": no node has a mesh of triangles; cloth needs some"};

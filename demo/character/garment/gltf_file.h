@@ -47,8 +47,15 @@ struct SkinnedCharacter {
 /// True if a glTF file has a skin with joints: somebody who wears something. False where it cannot be read.
 [[nodiscard]] bool has_skin(const std::filesystem::path& file);
 
-/// All triangles of .gltf or .glb, where its nodes and skins put them, +Y up [m]. Errors name the file and
-/// what it lacks: triangles in a node's mesh, positions; and a primitive that is faulty.
-[[nodiscard]] Result<Mesh> read_gltf_mesh(const std::filesystem::path& file);
+/// Colours and pictures of a glTF file's materials, and what is missing of them.
+struct GltfSurface {
+    SurfaceParts parts;
+    std::vector<std::string> notes;
+};
+
+/// All triangles of .gltf or .glb, where its nodes and skins put them, +Y up [m]; texture coordinates run
+/// upwards, as everywhere but in the file. Errors name the file and what it lacks: triangles in a node's
+/// mesh, positions; and a primitive that is faulty. `surface` may be null.
+[[nodiscard]] Result<Mesh> read_gltf_mesh(const std::filesystem::path& file, GltfSurface* surface = nullptr);
 
 }  // namespace weft::demo

@@ -4,8 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -16,25 +16,6 @@
 
 namespace weft::demo {
 namespace {
-
-constexpr float none = std::numeric_limits<float>::infinity();
-
-/// A map with its name in files, its default, and its range as in maps.h.
-struct NamedMap {
-    std::string_view name;
-    Map map;
-    float unset, least, most;
-};
-constexpr std::array<NamedMap, 9> named_maps{
-    {{"mass", Map::mass, 1, 0.01f, 100},
-     {"pin", Map::pin, 0, 0, 1},
-     {"leash", Map::leash, none, 0, none},
-     {"backstop", Map::backstop, none, -10, none},
-     {"backstop_radius", Map::backstop_radius, none, 1e-3f, none},
-     {"friction", Map::friction, 1, 0, 1000},
-     {"thickness", Map::thickness, 1, 0, 1},
-     {"stiffness", Map::stiffness, 1, 1e-3f, 1000},
-     {"collider_mask", Map::collider_mask, most_collider_mask, 0, most_collider_mask}}};
 
 template <class T>
 std::optional<T> number_of(std::string_view word) {
@@ -66,8 +47,8 @@ class MapsReader {
         std::string_view rest = lines_.text();
         const std::string_view name = take_word(rest);
         if (name.empty()) return {};
-        const auto named = std::ranges::find(named_maps, name, &NamedMap::name);
-        if (named == named_maps.end())
+        const auto map = std::ranges::find(named_maps, name, &NamedMap::name);
+        if (map == named_maps.end())
             return lines_.error("there is no map " + std::string(name.substr(0, 40)) +
                                 "; there are mass, pin, leash, backstop, backstop_radius, friction, "
                                 "thickness, stiffness and collider_mask");
@@ -76,8 +57,8 @@ class MapsReader {
         if (!value || !take_word(rest).empty())
             return lines_.error("the line must be a map, vertices and a number, as in \"leash 1-20 0.1\"");
         std::vector<float>& values =
-            maps_.try_emplace(named->map, std::vector<float>(vertices_, named->unset)).first->second;
-        return set(which, *value, *named, values);
+            maps_.try_emplace(map->map, std::vector<float>(vertices_, map->unset)).first->second;
+        return set(which, *value, *map, values);
     }
 
     [[nodiscard]] Result<void> check(float value, const NamedMap& map) const {
@@ -154,7 +135,7 @@ std::vector<Vec3> read_vertex_colours(const std::filesystem::path& obj) {
         std::array<float, 6> numbers{};
         std::size_t count = 0;
         for (std::string_view word = take_word(rest); !word.empty() && count < 6; word = take_word(rest))
-            numbers[count++] = number_of<float>(word).value_or(none);
+            numbers[count++] = number_of<float>(word).value_or(unlimited);
         const bool has_colour =
             std::isfinite(numbers[3]) && std::isfinite(numbers[4]) && std::isfinite(numbers[5]);
         if (count < 6 || !has_colour) return {};
@@ -165,8 +146,7 @@ std::vector<Vec3> read_vertex_colours(const std::filesystem::path& obj) {
 
 Result<void> read_maps(const std::filesystem::path& garment_file, std::size_t vertices,
                        std::span<const Vec3> colours, Garment& garment) {
-    std::filesystem::path file = garment_file;
-    file.replace_extension(".maps");
+    const std::filesystem::path file = maps_file(garment_file);
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return {};
     std::ifstream stream(file, std::ios::binary);
@@ -188,6 +168,54 @@ Result<void> read_maps(const std::filesystem::path& garment_file, std::size_t ve
         garment.fixed.erase(twice.begin(), twice.end());
     }
     return {};
+}
+
+namespace {
+
+/// Lines of a map file, but for those of these maps. None: there is no file.
+std::string other_lines(const std::filesystem::path& file, std::span<const PaintedMap> maps) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string kept;
+    for (std::string line; std::getline(stream, line);) {
+        std::string_view rest = line;
+        const std::string_view name = take_word(rest);
+        const bool is_replaced = std::ranges::any_of(
+            maps, [&](const PaintedMap& painted) { return named(painted.map).name == name; });
+        if (!is_replaced) kept += line + "\n";
+    }
+    return kept;
+}
+
+/// A line for each run of vertices with one value other than the map's default, counted from 1.
+void append_lines(const PaintedMap& painted, std::string& text) {
+    const NamedMap& map = named(painted.map);
+    const std::vector<float>& values = painted.values;
+    for (std::size_t first = 0, last = 0; first < values.size(); first = last) {
+        while (last < values.size() && values[last] == values[first]) ++last;
+        if (values[first] == map.unset) continue;
+        text.append(map.name).append(" ").append(std::to_string(first + 1));
+        if (last > first + 1) text.append("-").append(std::to_string(last));
+        char digits[32];
+        std::snprintf(digits, sizeof digits, " %.9g\n", static_cast<double>(values[first]));
+        text += digits;
+    }
+}
+
+}  // namespace
+
+std::filesystem::path maps_file(const std::filesystem::path& garment_file) {
+    return std::filesystem::path(garment_file).replace_extension(".maps");
+}
+
+Result<void> write_maps(const std::filesystem::path& garment_file, std::span<const PaintedMap> maps) {
+    const std::filesystem::path file = maps_file(garment_file);
+    std::string text = other_lines(file, maps);
+    for (const PaintedMap& painted : maps) append_lines(painted, text);
+    std::ofstream stream(file, std::ios::binary);
+    stream << text;
+    stream.flush();
+    if (stream) return {};
+    return Error{ErrorCode::file_not_found, file.string() + " cannot be written"};
 }
 
 }  // namespace weft::demo

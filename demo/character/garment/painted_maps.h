@@ -31,4 +31,12 @@ namespace weft::demo {
 [[nodiscard]] Result<void> read_maps(const std::filesystem::path& garment_file, std::size_t vertices,
                                      std::span<const Vec3> colours, Garment& garment);
 
+/// The file of maps beside a garment's file.
+[[nodiscard]] std::filesystem::path maps_file(const std::filesystem::path& garment_file);
+
+/// Writes maps beside a garment's file, by that file's vertices. Lines of other maps in the file stay, and so
+/// do comments. Error: it cannot be written.
+[[nodiscard]] Result<void> write_maps(const std::filesystem::path& garment_file,
+                                      std::span<const PaintedMap> maps);
+
 }  // namespace weft::demo

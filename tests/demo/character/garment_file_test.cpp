@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "demo/character/character.h"
 #include "demo/character/garment/garment_file.h"
@@ -65,6 +67,37 @@ TEST(GarmentFile, GoesOnWithoutItsMaterialsFile) {
 
     const TemporaryFile none("none.obj", strip("", "usemtl Top\n", "usemtl SilkFree\n"));
     ASSERT_EQ(read_garment(none.path())->notes.size(), 1u);
+}
+
+/// A TGA picture of one red pixel over a blue one.
+std::string red_over_blue() {
+    std::string tga(18, '\0');
+    tga[2] = 2, tga[12] = 1, tga[14] = 2, tga[16] = 24, tga[17] = 0x20;
+    return tga + std::string("\0\0\xff\xff\0\0", 6);
+}
+
+TEST(GarmentFile, EachMaterialHasItsColourAndPicture) {
+    const TemporaryFile picture("print.tga", red_over_blue());
+    const TemporaryFile materials("printed.mtl", "newmtl Top\nKd 1 0 0.5\nnewmtl SilkFree\nmap_Kd -s 2 2 1 " +
+                                                     picture.path().filename().string() +
+                                                     "\nnewmtl LaceFree\nKd 0 1 0\nmap_Kd none.png\n");
+    const std::string head = "mtllib " + materials.path().filename().string() + "\n";
+    const TemporaryFile file("printed.obj",
+                             strip(head, "usemtl Top\n", "usemtl SilkFree\n") + "usemtl LaceFree\nf 2 4 6\n");
+    const auto garment = read_garment(file.path());
+    ASSERT_TRUE(garment.ok()) << garment.error().message;
+    const SurfaceParts& surface = garment->surface;
+    ASSERT_EQ(surface.of_triangle, (std::vector<std::uint32_t>{1, 1, 2, 2, 3})) << "of a quad, two";
+    ASSERT_EQ(surface.parts.size(), 4u);
+    EXPECT_FLOAT_EQ(surface.parts[1].front.z, 0.5f);
+    EXPECT_EQ(surface.parts[1].picture, nullptr);
+    ASSERT_NE(surface.parts[2].picture, nullptr);
+    EXPECT_FLOAT_EQ(surface.parts[2].front.y, 1) << "a picture without a colour is not tinted";
+    EXPECT_EQ(surface.parts[2].picture->rgb, (std::vector<std::uint8_t>{255, 0, 0, 0, 0, 255}));
+    EXPECT_FLOAT_EQ(surface.parts[3].front.y, 1);
+    EXPECT_EQ(surface.parts[3].picture, nullptr);
+    ASSERT_EQ(garment->notes.size(), 1u);
+    EXPECT_NE(garment->notes[0].find("none.png"), std::string::npos);
 }
 
 TEST(GarmentFile, NotesOutlinesThatCrossThemselves) {
@@ -196,6 +229,28 @@ TEST(PaintedMaps, ErrorsNameTheLine) {
     std::string plain = square;
     plain.replace(plain.find("0.5 0.5 0 1 0.5 0"), 17, "0.5 0.5 0");
     EXPECT_NE(with_maps("leash red 1\n", plain).error().message.find("have no colours"), std::string::npos);
+}
+
+TEST(PaintedMaps, AreReadAsTheyWereWrittenAndOtherLinesStay) {
+    const TemporaryFile file("kept.obj", strip("", "usemtl Top\n", "usemtl SkirtFree\n"));
+    const std::filesystem::path beside = maps_file(file.path());
+    std::ofstream(beside, std::ios::binary) << "# by hand\nmass all 3\npin 1 1\n";
+    const std::vector<float> weights{1, 4, 4, 0.125f, 1, 1, 9},
+        leashes{unlimited, unlimited, 0, 0, 0.05f, 0.05f, unlimited};
+    const std::array<PaintedMap, 2> maps{{{Map::mass, weights}, {Map::leash, leashes}}};
+    ASSERT_TRUE(write_maps(file.path(), maps).ok());
+    std::stringstream text;
+    text << std::ifstream(beside).rdbuf();
+    EXPECT_EQ(
+        text.str(),
+        "# by hand\npin 1 1\nmass 2-3 4\nmass 4 0.125\nmass 7 9\nleash 3-4 0\nleash 5-6 0.0500000007\n");
+    const auto garment = read_garment(file.path());
+    ASSERT_TRUE(garment.ok()) << garment.error().message;
+    ASSERT_EQ(garment->maps.size(), 2u);
+    for (const PaintedMap& painted : garment->maps)
+        EXPECT_EQ(painted.values, painted.map == Map::mass ? weights : leashes);
+    std::filesystem::remove(beside);
+    EXPECT_FALSE(write_maps("/nowhere/at all.obj", maps).ok());
 }
 
 /// A garment whose leashes are written beside it stays by them to where the body has it.

@@ -156,6 +156,47 @@ TEST(Gltf, AMeshWithNobodyInItIsClothWhereItsNodesPutIt) {
     }
 }
 
+/// Two quads: one of a green material, one of a material with a picture, whose data follow the numbers.
+TEST(Gltf, MaterialsHaveTheirColoursAndPictures) {
+    GltfText data;
+    data.add(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0}, "VEC3", 5126, 3);
+    data.add(std::vector<float>{0, 0.25f, 1, 0.25f, 1, 1}, "VEC2", 5126, 3);
+    std::string tga(18, '\0');  // one pixel, red
+    tga[2] = 2, tga[12] = tga[14] = 1, tga[16] = 24;
+    tga += std::string("\0\0\xff", 3);
+    const std::size_t numbers = data.bytes.size();
+    const TemporaryFile buffer("printed.bin", data.bytes + tga);
+    const auto json = [&](const std::string& image) {
+        return R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[
+{"attributes":{"POSITION":0,"TEXCOORD_1":1},"material":0},{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":1}]}],
+"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":1,"texCoord":1}}},
+{"pbrMetallicRoughness":{"baseColorFactor":[0,1,0,1]}}],"textures":[{},{"source":0}],"images":[)" +
+               image + R"(],"buffers":[{"byteLength":)" + std::to_string(numbers + tga.size()) +
+               R"(,"uri":")" + buffer.path().filename().string() + R"("}],"bufferViews":[)" + data.views +
+               R"(,{"buffer":0,"byteOffset":)" + std::to_string(numbers) + R"(,"byteLength":)" +
+               std::to_string(tga.size()) + R"(}],"accessors":[)" + data.accessors + "]}";
+    };
+    const TemporaryFile file("printed.gltf", json(R"({"bufferView":2,"mimeType":"image/png"})"));
+    GltfSurface surface;
+    const auto mesh = read_gltf_mesh(file.path(), &surface);
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    EXPECT_TRUE(surface.notes.empty());
+    ASSERT_EQ(surface.parts.of_triangle, (std::vector<std::uint32_t>{0, 1}));
+    ASSERT_NE(surface.parts.parts[0].picture, nullptr);
+    EXPECT_EQ(surface.parts.parts[0].picture->rgb, (std::vector<std::uint8_t>{255, 0, 0}));
+    EXPECT_FLOAT_EQ(surface.parts.parts[1].front.x, 0);
+    EXPECT_EQ(surface.parts.parts[1].picture, nullptr);
+    ASSERT_EQ(mesh->texcoords.size(), 6u);
+    EXPECT_FLOAT_EQ(mesh->texcoords[0].y, 0.75f) << "upwards";
+
+    const TemporaryFile lacking("lacking.gltf", json(R"({"uri":"not here.png"})"));
+    ASSERT_TRUE(read_gltf_mesh(lacking.path(), &surface).ok()) << "cloth needs no picture";
+    ASSERT_EQ(surface.notes.size(), 1u);
+    EXPECT_NE(surface.notes[0].find("not here.png"), std::string::npos) << surface.notes[0];
+    const TemporaryFile wrong("wrong.gltf", json(R"({"bufferView":9})"));
+    EXPECT_FALSE(read_gltf_mesh(wrong.path()).ok());
+}
+
 TEST(Gltf, ErrorsNameTheFileAndWhatItLacks) {
     const GltfExample model;
     const TemporaryFile buffer("faulty.bin", model.data.bytes);

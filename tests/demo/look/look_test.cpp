@@ -307,6 +307,51 @@ TEST(Comparison, TheFinerOneIsNearerToTheExact) {
     EXPECT_GT(comparison->shown().milliseconds, 0);
 }
 
+TEST(Comparison, GivesTheFasterOneSubstepsUntilBothTakeTheSameTime) {
+    const auto cost = [](BothSubsteps substeps, float shown, float other) {
+        return static_cast<float>(substeps.shown) * shown / (static_cast<float>(substeps.other) * other);
+    };
+    EXPECT_EQ(balanced_substeps(1, 10, 2.5f), (BothSubsteps{1, 4}));
+    EXPECT_EQ(balanced_substeps(2, 3, 3), (BothSubsteps{2, 2}));
+    for (const auto& [shown, other] :
+         {std::pair(37.0f, 142.0f), {142.0f, 37.0f}, {1.0f, 1.5f}, {1.5f, 1.0f}, {2.0f, 31.0f}})
+        EXPECT_NEAR(cost(balanced_substeps(1, shown, other), shown, other), 1, 0.11f)
+            << shown << " " << other;
+}
+
+/// A method that is several times as slow as the shown one.
+TEST(Comparison, SlowerMethodsAreAnsweredByMoreSubstepsOfTheShownOne) {
+    Simulation shown = simulation_of("flag", 200);
+    auto comparison = Comparison::start(shown, Multilevel{.passes = 20}, Fairness::same_time);
+    ASSERT_TRUE(comparison.ok()) << comparison.error().message;
+    for (int i = 0; i < 240; ++i) {
+        shown.step(1.0f / 60);
+        comparison->step(shown, 1.0f / 60);
+    }
+    const ClothId flag = shown.content().cloths.front().id;
+    EXPECT_GT(comparison->shown().substeps, 1);
+    EXPECT_EQ(shown.world().cloth_settings(flag)->substeps, comparison->shown().substeps);
+    EXPECT_NEAR(comparison->shown().milliseconds / comparison->other().milliseconds, 1, 0.5f);
+    comparison->end(shown);
+    EXPECT_EQ(shown.world().cloth_settings(flag)->substeps, 1);
+}
+
+TEST(Comparison, AllHaveTheShownOnesWind) {
+    Simulation shown = simulation_of("flag", 200);
+    auto comparison = Comparison::start(shown, Multilevel{}, Fairness::same_steps);
+    ASSERT_TRUE(comparison.ok());
+    WorldSettings settings = shown.world().settings();
+    settings.wind.velocity = {0, 0, 9};
+    ASSERT_TRUE(shown.world().set_settings(settings).ok());
+    for (int i = 0; i < 30; ++i) {
+        shown.step(1.0f / 60);
+        comparison->step(shown, 1.0f / 60);
+    }
+    EXPECT_GT(comparison->shown().farthest, 0);
+    EXPECT_EQ(comparison->other().farthest, comparison->shown().farthest) << "the same method, the same wind";
+    EXPECT_FLOAT_EQ(comparison->truth().world().settings().wind.velocity.z, 9);
+}
+
 // Colliders between two steps: drawn as late as the cloth that lies on them.
 
 class MovedBall : public testing::Test {

@@ -85,6 +85,7 @@ void Window::play(const char* scene, std::vector<Act> acts, const Stage& stage) 
     options.scene_options.particles = stage.particles;
     options.frames = stage.most_frames;
     options.check_gl = true;
+    options.compare = stage.compare;
     Overrides overrides;
     overrides.threads = 1;
     auto simulation = Simulation::create(*find_scene(scene), options.scene_options, overrides);

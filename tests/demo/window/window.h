@@ -53,6 +53,7 @@ class Window : public testing::Test {
         int across = 480, down = 320;
         int most_frames = 250;
         std::uint32_t particles = 300;
+        std::optional<Method> compare{};
     };
     static constexpr float aspect = 480.0f / 320;
 

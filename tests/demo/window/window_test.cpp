@@ -99,6 +99,44 @@ TEST_F(Window, KeysThrowABallAndPinWhatIsPointedAt) {
           [](const AppFrame& frame) { return frame.hands.balls.are_there(); }});
 }
 
+/// The truth's ghost and the other method are drawn, and nothing that the driver objects to.
+TEST_F(Window, ComparesMethodsWithTheirCostAndErrorUntilTheSceneGoesBack) {
+    Vec3 alone{};
+    float distance = 0;
+    play("flag",
+         {wait(3), at_once([&](const AppFrame& frame) {
+              ASSERT_TRUE(frame.panels.look.comparison.has_value());
+              const Comparison& comparison = *frame.panels.look.comparison;
+              EXPECT_TRUE(std::holds_alternative<Xpbd>(comparison.method()));
+              alone = frame.simulation.content().camera.target;
+              distance = frame.simulation.content().camera.distance;
+              // Both stand equally far to the left and right of the middle, whatever way the camera looks.
+              const Vec3 middle = frame.camera.target;
+              const float across = std::hypot(middle.x - alone.x, middle.z - alone.z);
+              EXPECT_GT(across, 0.5f);
+              EXPECT_NEAR(std::sin(frame.camera.yaw) * (middle.x - alone.x) +
+                              std::cos(frame.camera.yaw) * (middle.z - alone.z),
+                          0, 1e-3f)
+                  << "as far from the camera";
+              EXPECT_GT(frame.camera.distance, distance);
+          }),
+          [](const AppFrame& frame) { return frame.simulation.time() > 0.5; },
+          at_once([&](const AppFrame& frame) {
+              const Comparison& comparison = *frame.panels.look.comparison;
+              for (const Comparison::Side& side : {comparison.shown(), comparison.other()}) {
+                  EXPECT_GT(side.milliseconds, 0);
+                  EXPECT_GT(side.usual, 0);
+              }
+          }),
+          key("r"), [](const AppFrame& frame) { return !frame.panels.look.comparison.has_value(); }, wait(2),
+          at_once([&](const AppFrame& frame) {
+              EXPECT_NEAR(frame.camera.target.x, alone.x, 0.2f) << "but for what follows the flag";
+              EXPECT_NEAR(frame.camera.distance, distance, 0.2f);
+              EXPECT_EQ(frame.panels.message, "");
+          })},
+         {.compare = Xpbd{}});
+}
+
 TEST_F(Window, AKnifeDrawnOverTheFlagCutsIt) {
     std::size_t particles = 0;
     const auto count = [](const AppFrame& frame) { return first_cloth(frame).positions.size(); };
