@@ -242,8 +242,17 @@ void Character::add_body(World& world) {
         colliders_.push_back(must(world.add_collider(collider)));
     };
     if (skin_places_) {
-        const auto shape =
-            world.add_shape(TriangleMesh{.vertices = *skin_places_, .triangles = skin_.triangles()});
+        TriangleMesh mesh{.vertices = *skin_places_, .triangles = skin_.triangles()};
+        auto shape = world.add_shape(mesh);
+        mesh.closed = false;
+        if (!shape)
+            if (auto open = world.add_shape(mesh)) {
+                garment_.notes.push_back(
+                    "the body's skin is open, as at a neck or a wrist: it keeps cloth on the side where it "
+                    "starts, and "
+                    "pushes none out; close its holes where it is to do so");
+                shape = open;
+            }
         if (!shape) throw Refusal({shape.error().code, "the body's skin: " + shape.error().message});
         skin_shape_ = *shape;
         return add({.shape = PlacedShape{.shape = *shape}});

@@ -65,12 +65,10 @@ const Paint& paint_of(Map map) {
     return found == all_paints.end() ? all_paints.front() : *found;
 }
 
-Vec4 colour_of_paint(Map map, float value) {
-    if (value == named(map).unset) return {};
+float share_of_range(Map map, float value) {
     const Paint& paint = paint_of(map);
     const float least = std::max(paint.least, 1e-3f * paint.most);
-    const float share = std::log(std::clamp(value, least, paint.most) / least) / std::log(paint.most / least);
-    return {0.05f + 0.80f * share, 0.25f - 0.15f * share, 0.80f - 0.75f * share, 0.85f};
+    return std::log(std::clamp(value, least, paint.most) / least) / std::log(paint.most / least);
 }
 
 void Brush::aim(const World& world, const render::Ray& ray) {

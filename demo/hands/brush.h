@@ -22,8 +22,8 @@ struct Paint {
 [[nodiscard]] std::span<const Paint> paints();
 [[nodiscard]] const Paint& paint_of(Map map);
 
-/// The colour of a painted value: blue for the least, red for the most. w 0: the map's default.
-[[nodiscard]] Vec4 colour_of_paint(Map map, float value);
+/// Place of a value between the slider's ends, from 0 to 1, by its logarithm.
+[[nodiscard]] float share_of_range(Map map, float value);
 
 class Brush {
   public:

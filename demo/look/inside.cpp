@@ -79,11 +79,13 @@ void colour_particles(ShownAsColour what, const SceneCloth& cloth, const ClothVi
 }
 
 void colour_by_map(Map map, const SceneCloth& cloth, const ClothView& view, std::vector<Vec4>& colours) {
-    colours.assign(view.positions.size(), Vec4{});
+    constexpr Vec4 unpainted{0.5f, 0.5f, 0.5f, 0.85f};
+    colours.assign(view.positions.size(), unpainted);
     const auto painted = std::ranges::find(cloth.maps, map, &PaintedMap::map);
     if (painted == cloth.maps.end()) return;
     for (std::size_t v = 0; v < painted->values.size() && v < view.vertex_to_particle.size(); ++v)
-        colours[view.vertex_to_particle[v]] = colour_of_paint(map, painted->values[v]);
+        if (const float value = painted->values[v]; value != named(map).unset)
+            colours[view.vertex_to_particle[v]] = heat(share_of_range(map, value));
 }
 
 const char* scale_of(ShownAsColour what) {

@@ -35,7 +35,8 @@ struct InsideDrawing : Annotation {
 void colour_particles(ShownAsColour what, const SceneCloth& cloth, const ClothView& view,
                       std::vector<Vec4>& colours);
 
-/// Colours of particles by a painted map; where it has its default the cloth's own show.
+/// Colours of particles by a painted map: blue for the slider's least, red for its most, grey for the
+/// default.
 void colour_by_map(Map map, const SceneCloth& cloth, const ClothView& view, std::vector<Vec4>& colours);
 
 /// The meaning of the colour scale's ends, for a legend.

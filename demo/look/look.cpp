@@ -175,6 +175,27 @@ void draw_words(const Picture& picture, const render::OrbitCamera& camera) {
     for (const ShownWords& each : picture.words()) draw(each, camera);
 }
 
+std::string recording_words(const Recorder& recorder) {
+    if (!recorder.recording()) return {};
+    char words[64];
+    const float seconds = static_cast<float>(recorder.pictures()) / Recorder::pictures_a_second;
+    std::snprintf(words, sizeof words, "recording: %.1f s, F6 ends it", static_cast<double>(seconds));
+    return words;
+}
+
+void draw_recording(const Recorder& recorder, float room) {
+    const std::string words = recording_words(recorder);
+    if (words.empty()) return;
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const float em = ImGui::GetFontSize();
+    const ImVec2 place(0.5f * (room - size.x), 0.7f * em);
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRectFilled({place.x - 2 * em, place.y - 0.4f * em}, {place.x + size.x + em, place.y + 1.4f * em},
+                       IM_COL32(10, 12, 16, 190), 0.3f * em);
+    list.AddCircleFilled({place.x - em, place.y + 0.5f * em}, 0.4f * em, IM_COL32(235, 50, 45, 255));
+    list.AddText(place, IM_COL32(255, 255, 255, 255), words.c_str());
+}
+
 void draw_names(const Picture& picture, const Simulation& shown, const Comparison& comparison,
                 const render::OrbitCamera& camera) {
     const ClothId first = shown.content().cloths.front().id;

@@ -70,6 +70,12 @@ void draw_picture(Picture& picture, const render::View& view, int width, int hei
 /// Draws the inside's words over the picture. Called between the panels' begin() and end().
 void draw_words(const Picture& picture, const render::OrbitCamera& camera);
 
+/// The length of the film that is recorded, and how to end it; empty: none is.
+[[nodiscard]] std::string recording_words(const Recorder& recorder);
+/// Draws these words in the middle of the top of what panels leave free [pixels]. The
+/// film does not show them. Called where draw_words() is.
+void draw_recording(const Recorder& recorder, float room);
+
 /// Draws the method's name, its cost and its error over each of the compared cloths. Called where
 /// draw_words() is.
 void draw_names(const Picture& picture, const Simulation& shown, const Comparison& comparison,

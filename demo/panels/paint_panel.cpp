@@ -44,9 +44,8 @@ Result<void> paint_panel(Simulation& simulation, Brush& brush, Inside& inside, s
     if (section) {
         ImGui::Checkbox("brush in hand", &brush.is_in_hand);
         tooltip(
-            "The left button paints cloth instead of dragging it. Blue is the least, red the most; what is "
-            "not "
-            "painted has the cloth's own colour.");
+            "The left button paints cloth instead of dragging it. Blue is the least, red the most, grey is "
+            "not painted.");
         map_menu(brush);
         brush_sliders(brush);
         const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);

@@ -124,6 +124,7 @@ class App {
 
     void draw_panels() {
         draw_words(picture_, camera_);
+        draw_recording(panels_.look.recorder, ImGui::GetIO().DisplaySize.x - panels_.covered());
         if (panels_.look.comparison) draw_names(picture_, simulation_, *panels_.look.comparison, camera_);
         draw_overlay(hands_, simulation_, camera_, wind_, has(panels_.look.inside.parts, DebugParts::pins));
         const PanelRequests requests = panels_.draw(simulation_, wind_, hands_, playback_, camera_);

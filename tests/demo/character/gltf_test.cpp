@@ -123,6 +123,32 @@ TEST(Gltf, ItsOwnBodyIsMetAsItsSkin) {
     }
 }
 
+TEST(Gltf, ABodyWithAHoleIsMetAndSaidToBeOpen) {
+    const GltfExample model(true);
+    const TemporaryFile buffer("open.bin", model.data.bytes);
+    std::string json = model.json(buffer.path().filename().string());
+    const std::string corners = R"("componentType":5123,"count":36)";  // of the box round the hips
+    ASSERT_NE(json.find(corners), std::string::npos);
+    json.replace(json.find(corners), corners.size(), R"("componentType":5123,"count":30)");
+    const TemporaryFile file("open.gltf", json);
+    CharacterSettings settings;
+    settings.garment = file.path();
+    settings.surface = BodySurface::skin;
+    auto character = Character::create(settings);
+    ASSERT_TRUE(character.ok()) << character.error().message;
+    auto world = World::create({.threads = 1});
+    const auto entered = character->enter(*world);
+    ASSERT_TRUE(entered.ok()) << entered.error().message;
+    EXPECT_NE(character->garment().notes.back().find("skin is open"), std::string::npos);
+    ASSERT_EQ(character->colliders().size(), 1u);
+    for (int step = 0; step < 60; ++step) {
+        character->before_step(*world, step / 60.0, 1.0f / 60);
+        world->step(1.0f / 60);
+    }
+    for (const Vec4& p : world->cloth(character->cloth())->positions)
+        EXPECT_FALSE(p.w > 0 && std::abs(p.x) < 0.06f && p.y > 0.8f && p.y < 1 && std::abs(p.z) < 0.05f);
+}
+
 /// Two triangles that share no vertices, as exporters leave them at seams.
 std::string plain_mesh(const GltfText& data, const TemporaryFile& buffer, const std::string& nodes) {
     return R"({"asset":{"version":"2.0"},"nodes":)" + nodes +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include "demo/hands/project.h"
@@ -135,6 +136,38 @@ TEST_F(Window, ComparesMethodsWithTheirCostAndErrorUntilTheSceneGoesBack) {
               EXPECT_EQ(frame.panels.message, "");
           })},
          {.compare = Xpbd{}});
+}
+
+TEST_F(Window, SaysThatItRecordsWhileItDoes) {
+    const std::filesystem::path before = std::filesystem::current_path(),
+                                folder = std::filesystem::path(testing::TempDir()) / "weft_recording";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    std::filesystem::current_path(folder);
+    int pictures = 0;
+    play(
+        "flag",
+        {wait(3), key("F6"), [](const AppFrame& frame) { return frame.panels.look.recorder.pictures() >= 4; },
+         at_once([&](const AppFrame& frame) {
+             EXPECT_NE(recording_words(frame.panels.look.recorder).find("F6 ends it"), std::string::npos);
+         }),
+         key("F6"),
+         [&](const AppFrame& frame) {
+             if (frame.panels.look.recorder.recording()) return false;
+             pictures = frame.panels.look.recorder.pictures();
+             return true;
+         },
+         wait(2), at_once([&](const AppFrame& frame) {
+             EXPECT_EQ(recording_words(frame.panels.look.recorder), "");
+             EXPECT_NE(frame.panels.message.find(std::to_string(pictures) + " pictures"), std::string::npos)
+                 << frame.panels.message;
+         })});
+    int files = 0;
+    for (const auto& each : std::filesystem::directory_iterator(folder / "weft-film-0001"))
+        files += each.path().extension() == ".png" ? 1 : 0;
+    EXPECT_EQ(files, pictures) << "the film has every picture";
+    std::filesystem::current_path(before);
+    std::filesystem::remove_all(folder);
 }
 
 TEST_F(Window, AKnifeDrawnOverTheFlagCutsIt) {
