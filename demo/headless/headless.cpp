@@ -63,7 +63,7 @@ class Troubles {
     void add(const StepReport& report) {
         ++all_;
         for (std::size_t bit = 0; bit < frames_.size(); ++bit)
-            if (has(report.flags, flag(bit))) ++frames_[bit];
+            if (has(seen_flags(report), flag(bit))) ++frames_[bit];
     }
     void print(float wind_speed) const {
         for (std::size_t bit = 0; bit < frames_.size(); ++bit) {

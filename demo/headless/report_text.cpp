@@ -40,6 +40,13 @@ std::string flags_text(StepFlags flags, float wind_speed) {
     return result;
 }
 
+StepFlags seen_flags(const StepReport& report) {
+    constexpr float seen = 0.01f;  // [m]
+    if (report.pin_lag > seen) return report.flags;
+    return static_cast<StepFlags>(static_cast<unsigned>(report.flags) &
+                                  ~static_cast<unsigned>(StepFlags::pins_stopped));
+}
+
 std::string plain_words(const std::string& message) {
     static const std::regex type("[A-Za-z_]+::");
     return std::regex_replace(message, type, "");

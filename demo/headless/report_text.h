@@ -16,6 +16,10 @@ namespace weft::demo {
 /// becomes "warp is -1".
 [[nodiscard]] std::string plain_words(const std::string& message);
 
+/// The step's flags that somebody who looks at the cloth can see the reason of: a pin that cloth stopped less
+/// than 10 mm from its place is none.
+[[nodiscard]] StepFlags seen_flags(const StepReport& report);
+
 /// The wind's greatest speed with its gusts [m/s].
 [[nodiscard]] float speed_of(const Wind& wind);
 

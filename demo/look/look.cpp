@@ -188,7 +188,7 @@ void draw_recording(const Recorder& recorder, float room) {
     if (words.empty()) return;
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float em = ImGui::GetFontSize();
-    const ImVec2 place(0.5f * (room - size.x), 0.7f * em);
+    const ImVec2 place(room - size.x - 1.5f * em, 0.9f * em);  // messages stand to the left
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     list.AddRectFilled({place.x - 2 * em, place.y - 0.4f * em}, {place.x + size.x + em, place.y + 1.4f * em},
                        IM_COL32(10, 12, 16, 190), 0.3f * em);

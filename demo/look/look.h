@@ -72,7 +72,7 @@ void draw_words(const Picture& picture, const render::OrbitCamera& camera);
 
 /// The length of the film that is recorded, and how to end it; empty: none is.
 [[nodiscard]] std::string recording_words(const Recorder& recorder);
-/// Draws these words in the middle of the top of what panels leave free [pixels]. The
+/// Draws these words at the upper right of what panels leave free, `room` pixels wide. The
 /// film does not show them. Called where draw_words() is.
 void draw_recording(const Recorder& recorder, float room);
 

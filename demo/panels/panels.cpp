@@ -103,7 +103,7 @@ void Panels::note_troubles(const Simulation& simulation, const Playback& playbac
             .append("\n");
     // `unsolved` is left out: a cracking flag leaves more unsolved than swinging cloth. The times' panel
     // shows how much.
-    const auto flags = static_cast<StepFlags>(static_cast<unsigned>(report.flags) &
+    const auto flags = static_cast<StepFlags>(static_cast<unsigned>(seen_flags(report)) &
                                               ~static_cast<unsigned>(StepFlags::unsolved));
     present += flags_text(flags, speed_of(simulation.world().settings().wind));
     constexpr double long_enough = 3;  // [s]

@@ -138,6 +138,15 @@ TEST(Panels, SayWhatAClothRefuses) {
     EXPECT_NE(refused.error().message.find("warp"), std::string::npos) << refused.error().message;
 }
 
+TEST(FlagsText, APinIsNotReportedWhereNobodySeesThatItLags) {
+    StepReport report;
+    report.flags = StepFlags::pins_stopped | StepFlags::speed_limited;
+    report.pin_lag = 0.004f;
+    EXPECT_EQ(seen_flags(report), StepFlags::speed_limited);
+    report.pin_lag = 0.03f;
+    EXPECT_EQ(seen_flags(report), report.flags);
+}
+
 TEST(FlagsText, NamesTheSettingToChange) {
     EXPECT_EQ(flags_text(StepFlags::none, 0), "");
     EXPECT_NE(flags_text(StepFlags::state_restored, 0).find("substeps"), std::string::npos);
