@@ -24,7 +24,7 @@
     SCENE(wear, capes, "Five figures in capes turn to and fro in the wind.") \
     SCENE(wear, garment, "A garment from a file is hung by its highest opening.", .needs_garment = true) \
     STAGED(meet, hammock, "A sheet is dropped on one that hangs by its corners.", "dropped on of cloths", .nearer = 1.4f, .lower = -0.35f) \
-    STAGED(meet, layers, "Three sheets fall over a sphere.", "stacked of cloths", .nearer = 1.7f) \
+    STAGED(meet, layers, "Three sheets fall over a sphere.", "stacked of cloths", .nearer = 1.7f, .damping = 0.01f, .air_damping = 2) \
     SCENE(meet, ribbon, "A long ribbon, lowered end first, piles up on itself.") \
     STAGED(meet, release, "A strip is twisted twice round, and let go.", "twist and release", .nearer = 0.9f, .lower = -0.1f, .check_steps = 420) \
     SCENE(learn, truth, "A flag flies beside its own motion in eight substeps.") \

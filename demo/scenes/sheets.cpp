@@ -175,7 +175,7 @@ class Ribbon final : public OneCloth {
                            .shear = 80.0f,
                            .bending = 2e-5f,
                            .damping = 0.01f};
-        settings.air_damping = 1.0f;
+        settings.air_damping = 2.0f;  // so that it is still by 6 s
         settings.self_collision = {.method = SelfCollisionMethod::contact, .friction = 0.4f};
         settings.thickness = 0.5f * distance_;
         SceneContent content =

@@ -86,6 +86,25 @@ TEST(Scenes, AreListedGroupByGroupWithASentenceEach) {
     EXPECT_GE(std::ranges::count(all_scenes(), SceneGroup::lab, &SceneEntry::group), 10);
 }
 
+struct Rest {
+    const char* scene;
+    int steps;
+};
+class RestingScene : public testing::TestWithParam<Rest> {};
+
+TEST_P(RestingScene, IsStill) {
+    auto simulation = Simulation::create(*find_scene(GetParam().scene), {}, {});
+    ASSERT_TRUE(simulation.ok()) << simulation.error().message;
+    for (int step = 0; step < GetParam().steps; ++step) simulation->step(1.0f / 60);
+    for (const SceneCloth& cloth : simulation->content().cloths)
+        EXPECT_TRUE(*simulation->world().is_asleep(cloth.id)) << "cloth " << cloth.id.index;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RestingScene,
+                         testing::Values(Rest{"sheet", 360}, Rest{"ribbon", 360}, Rest{"layers", 360},
+                                         Rest{"crumple", 720}),
+                         [](const auto& each) { return std::string(each.param.scene); });
+
 TEST(Scenes, AskForAGarmentThatIsMissing) {
     const auto without = Simulation::create(*find_scene("garment"), {}, {});
     ASSERT_FALSE(without.ok());

@@ -89,6 +89,8 @@ struct StageView {
     float nearer = 1;  ///< factor by which the camera is nearer than for all of it
     float lower = 0;   ///< [m]
     int check_steps = 90;
+    /// Of the fabric [s] and by the air [1/s], where pleats are to come to rest; 0: the scene's own.
+    float damping = 0, air_damping = 0;
 };
 /// A scene of contact as a scene of the demo. Precondition: there is one of that name.
 [[nodiscard]] std::unique_ptr<Scene> make_contact_stage(std::string_view name, const StageView& view);

@@ -66,6 +66,8 @@ class ContactStage final : public Scene {
         SceneContent content;
         for (PlacedCloth& cloth : scene_.cloths) {
             cloth.settings.self_collision.method = SelfCollisionMethod::contact;
+            if (view_.damping > 0) cloth.settings.fabric.damping = view_.damping;
+            if (view_.air_damping > 0) cloth.settings.air_damping = view_.air_damping;
             const auto id = must(world.add_cloth(cloth.mesh, cloth.settings));
             must(world.pin(id, cloth.pins));
             content.cloths.push_back(coloured(id, cloth, content.cloths.size()));
