@@ -11,6 +11,9 @@ namespace weft::demo {
 namespace {
 
 constexpr int balanced_every = 30;  // steps
+/// Passes of the truth's substeps, with which more change less than chaos does; and its substeps in a step of
+/// 1/60 s: at least 8, and at least 4 in each of the World's.
+constexpr int truth_passes = 4, truth_substeps = 8, truth_finer = 4;
 
 /// The scene from its start, with the shown one's settings. Throws Refusal; `change` alters those of its
 /// cloths.
@@ -69,6 +72,8 @@ Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fai
     comparison.method_ = other;
     comparison.fairness_ = fairness;
     comparison.own_substeps_ = must(shown.world().cloth_settings(shown.content().cloths.front().id)).substeps;
+    comparison.truth_substeps_ = std::max(truth_finer * comparison.own_substeps_,
+                                          truth_substeps / std::max(shown.world().settings().substeps, 1));
     comparison.shown_.substeps = comparison.other_.substeps = comparison.own_substeps_;
     return caught([&] {
         comparison.simulations_.push_back(again(shown, [&](ClothSettings& settings) {
@@ -78,10 +83,10 @@ Result<Comparison> Comparison::start(Simulation& shown, const Method& other, Fai
             settings.method = other;
             settings.time_scheme = TimeScheme::of_method;
         }));
-        comparison.simulations_.push_back(again(shown, [](ClothSettings& settings) {
-            settings.method = Multilevel{.passes = 20};
+        comparison.simulations_.push_back(again(shown, [&](ClothSettings& settings) {
+            settings.method = Multilevel{.passes = truth_passes};
             settings.time_scheme = TimeScheme::of_method;
-            settings.substeps = 8;
+            settings.substeps = comparison.truth_substeps_;
         }));
         return std::move(comparison);
     });
@@ -91,7 +96,7 @@ void Comparison::step(Simulation& shown, float dt) {
     for (Simulation& each : simulations_) take_wind(shown, each);
     const float shown_took = shown.world().report().milliseconds;
     const float other_took = simulations_[0].step(dt).milliseconds;
-    simulations_[1].step(dt);
+    milliseconds_ = other_took + simulations_[1].step(dt).milliseconds;
     follow(shown_.milliseconds, shown_took);
     follow(other_.milliseconds, other_took);
     measure(shown, simulations_[1], shown_);
@@ -110,6 +115,9 @@ void Comparison::balance(Simulation& shown) {
     if (wanted == BothSubsteps{shown_.substeps, other_.substeps}) return;
     set_substeps(shown, wanted.shown);
     set_substeps(simulations_[0], wanted.other);
+    constexpr int most = 64;
+    set_substeps(simulations_[1],
+                 std::clamp(2 * std::max(wanted.shown, wanted.other), truth_substeps_, most));
     shown_.substeps = wanted.shown;
     other_.substeps = wanted.other;
     shown_.milliseconds = other_.milliseconds = 0;

@@ -39,6 +39,8 @@ class Comparison {
         float usual = 0, farthest = 0;  ///< distance of particles from the reference: rms and most [mm]
         int substeps = 1;               ///< of the cloth, in each substep of the world
     };
+    /// Time that the others' last step took, of the reference too [ms].
+    [[nodiscard]] float milliseconds() const { return milliseconds_; }
     [[nodiscard]] const Side& shown() const { return shown_; }
     [[nodiscard]] const Side& other() const { return other_; }
     [[nodiscard]] const Simulation& other_simulation() const { return simulations_[0]; }
@@ -54,7 +56,8 @@ class Comparison {
     Method method_;
     Fairness fairness_ = Fairness::same_steps;
     Side shown_, other_;
-    int own_substeps_ = 1;  // of the shown one, at the start
+    int own_substeps_ = 1, truth_substeps_ = 1;  // of the shown one and of the truth, at the start
+    float milliseconds_ = 0;
     int steps_ = 0;
 };
 

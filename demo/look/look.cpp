@@ -219,7 +219,7 @@ void make_room_for_panels(render::OrbitCamera& camera, float covered, float widt
 }
 
 void make_room_beside(render::OrbitCamera& camera, const Vec3& beside, Vec3& before) {
-    constexpr float part = 0.55f;  // share of the distance: the view had some room
+    constexpr float part = 0.75f;  // share of the distance: the view had some room
     const float now = std::hypot(beside.x, beside.z), then = std::hypot(before.x, before.z);
     camera.target.x += 0.5f * (beside.x - before.x);
     camera.target.z += 0.5f * (beside.z - before.z);

@@ -178,7 +178,7 @@ void sides_table(const Simulation& simulation, const Comparison& comparison) {
     tooltip(
         "Milliseconds of a step, and how far particles are from where the exact motion puts them: usually "
         "and at "
-        "most. Exact is the same cloth by eight times the steps, each solved to its end.");
+        "most. Exact is the same cloth by at least four times the steps, each solved in four passes.");
     ImGui::TextWrapped("Cloth substeps: %d and %d. Where a cloth is off, the exact one shows as a ghost.",
                        comparison.shown().substeps, comparison.other().substeps);
 }

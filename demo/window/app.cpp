@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -173,6 +174,8 @@ class App {
     void advance(double seconds) {
         if (panels_.look.recorder.recording())
             seconds = 1.0 / static_cast<double>(Recorder::pictures_a_second);
+        // A comparison takes several times as long. It goes on more slowly, so that every step is seen.
+        if (panels_.look.comparison) seconds = std::min(seconds, clock_.settings().step);
         const FixedStepFrame frame =
             clock_.advance(playback_.paused ? 0 : seconds * static_cast<double>(playback_.speed));
         playback_.behind_real_time = frame.dropped_seconds > 0;
@@ -188,7 +191,10 @@ class App {
         repeat_.step(simulation_.world(), cloths_, dt);
         hands_.after_step(simulation_, dt);
         panels_.record(simulation_.world());
-        if (panels_.look.comparison) panels_.look.comparison->step(simulation_, dt);
+        if (panels_.look.comparison) {
+            panels_.look.comparison->step(simulation_, dt);
+            panels_.look.times.add_step(panels_.look.comparison->milliseconds());
+        }
         note(timeline_.keep(simulation_, hands_.mark()));
     }
 
