@@ -34,7 +34,7 @@ Result<std::unique_ptr<Motion>> make_motion(const CharacterSettings& settings) {
 
 Result<Garment> make_garment(const CharacterSettings& settings, const Skeleton& skeleton, const Body& body) {
     if (!settings.garment.empty()) {
-        auto read = read_garment(settings.garment, settings.unit);
+        auto read = read_garment(settings.garment, settings.unit, settings.y_is_up);
         if (!read || settings.simulated == 0) return read;
         if (auto made = simulate_proxy(*read, settings.simulated); !made) return made.error();
         return read;

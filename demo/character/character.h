@@ -24,6 +24,7 @@ struct CharacterSettings {
     bool runs = false;              ///< without a motion file: the run that ships
     std::filesystem::path garment;  ///< an OBJ or glTF file; empty: the dress that ships
     float unit = 0;                 ///< metres in a unit of an OBJ file; 0: a garment's size decides
+    bool y_is_up = false;           ///< up in an OBJ file without "Free" materials is +Y; else +Z
     std::uint32_t particles = 0;    ///< of the dress that ships, about; 0: 3100
     std::uint32_t drawn = 0;        ///< vertices of a finer dress that is drawn instead, about; 0: none
     std::uint32_t simulated = 0;    ///< particles of a proxy of a file's garment, about; 0: none is made

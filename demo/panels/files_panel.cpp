@@ -97,7 +97,7 @@ void file_window(bool& shown, Simulation& simulation, const std::string& message
         ImGui::TextWrapped("%s", options.garment.filename().string().c_str());
         show_size(simulation);
         if (!gltf || hangs) requests.reload |= unit_menu(options.unit);
-        if (hangs && !gltf) requests.reload |= up_menu(options.y_is_up);
+        if (!gltf) requests.reload |= up_menu(options.y_is_up);
         if (hangs) requests.reload |= hold_menu(options.hold);
         if (ImGui::Button(hangs ? "Put it on somebody" : "Hang it up", {-1, 0}))
             requests.scene = find_scene(hangs ? "character" : "garment");

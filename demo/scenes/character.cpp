@@ -131,6 +131,7 @@ class Walkers final : public Scene {
         settings.runs = run_;
         settings.garment = options.garment;
         settings.unit = options.unit;
+        settings.y_is_up = options.y_is_up;
         settings.simulated = options.simulated;
         settings.speed = options.speed;
         if (options.skin) settings.surface = BodySurface::skin;

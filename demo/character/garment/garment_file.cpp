@@ -48,32 +48,40 @@ Result<Mesh> read_mesh(const std::filesystem::path& file, float unit, Garment& g
     return mesh;
 }
 
-void hold_by_opening(const std::filesystem::path& file, Garment& garment) {
+void hold_by_opening(const std::filesystem::path& file, const ObjMaterials& use, bool y_is_up,
+                     Garment& garment) {
+    if (y_is_up)
+        for (Vec3& p : garment.mesh.positions) p = {p.x, -p.z, p.y};
     stand_upright(garment.mesh, 0);
     garment.fixed = highest_opening(garment.mesh);
     garment.from_waist = count_openings(garment.mesh) == 2;
-    garment.notes.push_back(file.string() + " has no materials; it is held by its highest opening");
+    garment.notes.push_back(file.string() +
+                            (use.names.empty()
+                                 ? " has no materials"
+                                 : " has no material whose name ends in \"Free\", which would say what "
+                                   "is simulated") +
+                            "; it is held by its highest opening");
 }
 
-Result<void> hold_by_materials(const std::filesystem::path& file, const ObjMaterials& use, Garment& garment) {
-    if (std::ranges::none_of(use.names, is_simulated))
-        return Error{ErrorCode::invalid_mesh,
-                     file.string() + ": of its materials, " + use.names.front() +
-                         " and others, none ends in \"Free\"; name so what is simulated"};
+void hold_by_materials(const ObjMaterials& use, Garment& garment) {
     garment.stands_ready = true;
     for (std::uint32_t vertex = 0; vertex < use.used.size(); ++vertex) {
         if (use.used[vertex] && !use.simulated[vertex]) garment.fixed.push_back(vertex);
     }
+}
+
+/// The colours of all materials, and of the whole: the first simulated one's, else the first one's.
+void take_colours(const std::filesystem::path& file, const ObjMaterials& use, Garment& garment) {
     garment.surface = read_mtl(file, use, garment.colour, garment.notes);
-    const auto first = std::ranges::find_if(use.names, is_simulated) - use.names.begin();
-    if (!garment.surface.parts.empty())
-        garment.colour = garment.surface.parts[static_cast<std::size_t>(first) + 1].front;
-    return {};
+    if (garment.surface.parts.empty()) return;
+    const auto found = std::ranges::find_if(use.names, is_simulated);
+    const auto first = found == use.names.end() ? 0 : found - use.names.begin();
+    garment.colour = garment.surface.parts[static_cast<std::size_t>(first) + 1].front;
 }
 
 }  // namespace
 
-Result<Garment> read_garment(const std::filesystem::path& file, float unit) {
+Result<Garment> read_garment(const std::filesystem::path& file, float unit, bool y_is_up) {
     Garment garment;
     auto mesh = read_mesh(file, unit, garment);
     if (!mesh) return mesh.error();
@@ -81,10 +89,11 @@ Result<Garment> read_garment(const std::filesystem::path& file, float unit) {
     if (auto fits = check_size(file, garment.mesh); !fits) return fits.error();
     const auto use = read_obj_materials(file);
     if (!use) return use.error();
-    if (use->names.empty())
-        hold_by_opening(file, garment);
-    else if (auto held = hold_by_materials(file, *use, garment); !held)
-        return held.error();
+    if (std::ranges::any_of(use->names, is_simulated))
+        hold_by_materials(*use, garment);
+    else
+        hold_by_opening(file, *use, y_is_up, garment);
+    if (!use->names.empty()) take_colours(file, *use, garment);
     if (auto maps = read_maps(file, use->vertices, read_vertex_colours(file), garment); !maps)
         return maps.error();
     return garment;
