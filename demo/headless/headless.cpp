@@ -202,8 +202,9 @@ Result<Photographer> Photographer::create(const Options& options, const Simulati
     Photographer photographer(std::move(*context), std::move(*picture), options.width, options.height);
     photographer.turn_ = static_cast<float>(options.turn) * std::numbers::pi_v<float> / 180;
     photographer.picture_.show(simulation);
-    if (options.panels) {
+    if (options.panels || options.compare) {  // a comparison's names are drawn as panels are
         photographer.panels_.reset(new PanelsInPicture{render::ImGuiLayer(photographer.context_), Panels{}});
+        photographer.panels_->panels.visible = options.panels;
     }
     return photographer;
 }

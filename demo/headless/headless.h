@@ -48,7 +48,7 @@ class Photographer {
     // Destroyed from the last to the first: OpenGL's objects before its context.
     render::Context context_;
     Picture picture_;
-    std::unique_ptr<PanelsInPicture> panels_;  // null: no panels are drawn
+    std::unique_ptr<PanelsInPicture> panels_;  // null: neither panels nor words are drawn
     int width_, height_;
     float turn_ = 0;  // angle of the camera from the scene's own [rad]
 };

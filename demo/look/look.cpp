@@ -203,8 +203,14 @@ void draw_names(const Picture& picture, const Simulation& shown, const Compariso
     const auto settings = shown.world().cloth_settings(first);
     if (!cloth || !settings) return;
     const Bounds& box = cloth->bounds;
-    const Vec3 over{0.5f * (box.lower.x + box.upper.x), box.upper.y + 0.15f,
-                    0.5f * (box.lower.z + box.upper.z)};
+    float top = box.upper.y;  // of who wears the cloth, too
+    for (const ColliderId id : shown.content().clad_colliders) {
+        const auto limb = shown.world().collider(id);
+        const auto* const capsule = limb ? std::get_if<TaperedCapsule>(&limb->shape) : nullptr;
+        if (capsule != nullptr)
+            top = std::max({top, capsule->a.y + capsule->radius_a, capsule->b.y + capsule->radius_b});
+    }
+    const Vec3 over{0.5f * (box.lower.x + box.upper.x), top + 0.1f, 0.5f * (box.lower.z + box.upper.z)};
     const Vec3& beside = picture.beside();
     draw_side({over.x, over.y, over.z}, entry_of(settings->method).title, comparison.shown(), camera);
     draw_side({over.x + beside.x, over.y, over.z + beside.z}, entry_of(comparison.method()).title,

@@ -103,7 +103,7 @@ class FlagBesideTruth final : public Pair {
                 must(world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, top + 0.05f, 0}, pole}}));
             content.drawn_colliders.push_back(stands);
         }
-        content.camera = {.target = {0.1f, 1.5f, 0}, .distance = 4.2f, .yaw = 0.25f, .pitch = 0.05f};
+        content.camera = {.target = {0.1f, 1.5f, 0}, .distance = 4.2f, .yaw = 0, .pitch = 0.05f};
         return content;
     }
 
@@ -147,7 +147,7 @@ class SkirtBesideTruth final : public Pair {
                 figure_solid(*figure_, 3 * k, [this, k](std::span<Vec3> to, SolidMoment moment) {
                     figure_->place(legs_at(k, moment == SolidMoment::now ? now_ : before_), to);
                 }));
-        content.camera = {.target = {0, 0.6f, 0}, .distance = 3.2f, .yaw = 0.35f, .pitch = 0.08f};
+        content.camera = {.target = {0, 0.6f, 0}, .distance = 3.2f, .yaw = 0, .pitch = 0.08f};
         return content;
     }
 
