@@ -103,7 +103,7 @@ class FlagBesideTruth final : public Pair {
                 must(world.add_collider({.shape = Capsule{{axis, 0, 0}, {axis, top + 0.05f, 0}, pole}}));
             content.drawn_colliders.push_back(stands);
         }
-        content.camera = {.target = {0.1f, 1.5f, 0}, .distance = 4.2f, .yaw = 0, .pitch = 0.05f};
+        content.camera = {.target = {-0.2f, 1.5f, 0}, .distance = 4.2f, .yaw = 0, .pitch = 0.05f};
         return content;
     }
 

@@ -91,11 +91,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"--size", "0x480"}, Bad{"--size", "640x99999"}, Bad{"--iterations", "0"},
                     Bad{"--fabric", "felt"}, Bad{"--fabric", "missing.json"}, Bad{"--substeps", "0"},
                     Bad{"--frames", "0"}, Bad{"--every", "0"}, Bad{"--method", "magic"},
-                    Bad{"--contact", "maybe"}, Bad{"--export", "fbx", "--headless"}, Bad{"--contact", "7"},
-                    Bad{"--contact", "-1"}, Bad{"--contact", ""}, Bad{"--particles", "nan"},
-                    Bad{"--particles", "12.5"}, Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"},
-                    Bad{"--wind", "80,80,0"}, Bad{"--substeps", "257"}, Bad{"--iterations", "10001"},
-                    Bad{"--frames", "-1"}, Bad{"--size", "15x15"}, Bad{"--frames"}, Bad{"--no-such-option"}));
+                    Bad{"--compare", "magic"}, Bad{"--contact", "maybe"},
+                    Bad{"--export", "fbx", "--headless"}, Bad{"--contact", "7"}, Bad{"--contact", "-1"},
+                    Bad{"--contact", ""}, Bad{"--particles", "nan"}, Bad{"--particles", "12.5"},
+                    Bad{"--threads", "1e1"}, Bad{"--wind", "inf,0,0"}, Bad{"--wind", "80,80,0"},
+                    Bad{"--substeps", "257"}, Bad{"--iterations", "10001"}, Bad{"--frames", "-1"},
+                    Bad{"--size", "15x15"}, Bad{"--frames"}, Bad{"--no-such-option"}));
 
 TEST(Options, HelpIsNoError) {
     const auto parsed = parse({"--help"});

@@ -159,6 +159,18 @@ TEST_F(Program, LeavesPictureTableMeshAndHash) {
     EXPECT_GT(std::filesystem::file_size(folder() / "trace.json"), 100u);
 }
 
+TEST_F(Program, ComparesTwoMethodsWithoutAnyEffectOnTheFirst) {
+    const std::string flag =
+        "--headless --scene flag --particles 200 --frames 15 --size 96x60 --out " + folder().string();
+    const Ran alone = run(flag), compared = run(flag + " --compare xpbd --check-gl");
+    EXPECT_EQ(compared.status, 0) << compared.err;
+    EXPECT_EQ(hash_of(compared), hash_of(alone));
+    EXPECT_EQ(alone.out.find("compared:"), std::string::npos);
+    for (const char* method : {"compared: multilevel", "compared: xpbd"})
+        EXPECT_NE(compared.out.find(method), std::string::npos) << compared.out;
+    EXPECT_NE(compared.out.find("ms a step, "), std::string::npos) << compared.out;
+}
+
 TEST_F(Program, TakesAPictureOfEveryNthFrame) {
     const Ran ran = run_headless("--frames 5 --every 2 --panels");
     EXPECT_EQ(ran.status, 0) << ran.err;
