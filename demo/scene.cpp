@@ -14,9 +14,8 @@ bool Scene::cut_before_step(World& /*world*/, SceneContent& /*content*/) {
 }
 
 Result<void> Scene::give_skin(World& /*world*/, ClothId /*cloth*/) {
-    return Error{
-        ErrorCode::unsupported,
-        "a leash ties cloth to somebody who wears it; nobody wears this cloth"};
+    return Error{ErrorCode::unsupported,
+                 "a leash ties cloth to somebody who wears it; nobody wears this cloth"};
 }
 
 render::FabricLook two_sided(const Vec3& front, float stripe_width) {
