@@ -50,10 +50,13 @@ int run(const ProfileOptions& options) {
         measured = *std::move(result);
     }
     print(measured, options.repeat);
+    if (measured.asleep > 0)
+        std::printf("asleep in %d of %d frames, which are not in the table\n", measured.asleep,
+                    measured.frames);
     if (options.crossings)
         std::printf("%" PRIu64 " pairs of triangles cross at the worst\n", measured.worst_crossings);
     std::fputs(table.text(measured.particles).c_str(), stdout);
-    if (counts) print(*counts, 1.0 * measured.particles * measured.frames * options.repeat);
+    if (counts) print(*counts, 1.0 * measured.particles * (measured.frames - measured.asleep) * options.repeat);
     std::printf("hash: %016" PRIx64 "\n", measured.hash);
 
     if (!options.csv.empty())

@@ -151,8 +151,14 @@ Result<void> add_copy(World& world, const SceneCloth& original) {
     return {};
 }
 
-void warm_up(const ProfileOptions& options, Simulation& simulation) {
-    for (int frame = 0; frame < options.warm_up; ++frame) simulation.step(frame_seconds);
+/// Takes the frames before those that are measured. Returns the most particles that one of them stepped.
+std::uint32_t warm_up(const ProfileOptions& options, Simulation& simulation) {
+    std::uint32_t most = 0;
+    for (int frame = 0; frame < options.warm_up; ++frame) {
+        simulation.step(frame_seconds);
+        most = std::max(most, simulation.world().report().particles);
+    }
+    return most;
 }
 
 std::uint64_t crossings_in(Simulation& simulation) {
@@ -167,14 +173,15 @@ Measured describe(const ProfileOptions& options, Simulation& simulation) {
     Measured measured{.scene = simulation.entry().name,
                       .method = {},
                       .cloths = static_cast<int>(world.report().cloths),
-                      .particles = world.report().particles,
+                      .particles = 0,
                       .threads = world.settings().threads,
                       .substeps = world.report().substeps,
                       .frames = options.frames,
                       .bytes = 0,
                       .hash = world.state_hash(),
                       .worst_crossings = 0,
-                      .processor_ms = 0};
+                      .processor_ms = 0,
+                      .asleep = 0};
     if (measured.threads == 0) measured.threads = static_cast<int>(std::thread::hardware_concurrency());
     const std::vector<SceneCloth>& cloths = simulation.content().cloths;
     for (const SceneCloth& cloth : cloths)
@@ -202,7 +209,8 @@ Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& 
                          std::optional<HardwareCounters::Counts>& counts) {
     auto simulation = build_simulation(options);
     if (!simulation) return simulation.error();
-    warm_up(options, *simulation);
+    std::uint32_t particles = warm_up(options, *simulation);
+    int asleep = 0;
     Progress progress(simulation->entry().name, options.frames);
     std::uint64_t worst_crossings = 0;
     std::clock_t processor_time = 0;
@@ -213,12 +221,19 @@ Result<Measured> measure(const ProfileOptions& options, const HardwareCounters& 
         processor_time += std::clock() - start;
         const auto after = counters.read();
         if (before && after) (counts ? *counts : counts.emplace()) += *after - *before;
-        table.add(simulation->world().profile());
+        const std::uint32_t stepped = simulation->world().report().particles;
+        particles = std::max(particles, stepped);
+        if (stepped > 0)
+            table.add(simulation->world().profile());
+        else
+            ++asleep;
         if (options.crossings) worst_crossings = std::max(worst_crossings, crossings_in(*simulation));
         progress.update(frame);
     }
     table.end_run();
     Measured measured = describe(options, *simulation);
+    measured.particles = particles;
+    measured.asleep = asleep;
     measured.worst_crossings = worst_crossings;
     measured.processor_ms =
         1e3 * static_cast<double>(processor_time) / (static_cast<double>(CLOCKS_PER_SEC) * options.frames);

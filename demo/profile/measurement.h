@@ -49,12 +49,13 @@ class HardwareCounters {
 struct Measured {
     std::string scene, method;
     int cloths = 0;
-    std::uint32_t particles = 0;  ///< of all cloths
+    std::uint32_t particles = 0;  ///< most that a frame stepped
     int threads = 0, substeps = 0, frames = 0;
     std::uint64_t bytes = 0;            ///< of all cloths
     std::uint64_t hash = 0;             ///< of the state after the last frame
     std::uint64_t worst_crossings = 0;  ///< after any frame; 0 unless they are counted
     double processor_ms = 0;            ///< mean of a frame, all threads together
+    int asleep = 0;                     ///< frames in which all cloth slept; they are not in the table
 };
 
 class StageTable {

@@ -306,6 +306,13 @@ TEST_F(ProfileProgram, CountsCrossings) {
     EXPECT_NE(flag.find("\n0" + sentence), std::string::npos) << flag;
 }
 
+TEST_F(ProfileProgram, LeavesOutFramesInWhichClothSleeps) {
+    const Ran ran = run("--scene folddrop --particles 300 --frames 400 --warm-up 0 --threads 1");
+    EXPECT_NE(ran.out.find("\nasleep in "), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find(" 0 particles"), std::string::npos) << ran.out;
+    EXPECT_EQ(run("--scene flag --particles 300 --frames 2").out.find("asleep"), std::string::npos);
+}
+
 TEST_F(ProfileProgram, RefusesWhatIsNotThere) {
     expect_refusal(run("--scene atlantis"), "atlantis");
     expect_refusal(run("--scene garment"), "--garment");
