@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "collision/contact/crossings/tangles.h"
 #include "collision/contact/pairs/narrowing.h"
 #include "collision/contact/pairs/pair_finder.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cloth/equation/moving_body.h"
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "cloth/equation/seam_rows.h"
 #include "cloth/equation/sparse/stencil.h"
 #include "cloth/equation/step_equation.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "cloth/state/seam_state.h"
 #include "engine/simd/symmetric3.h"
 #include "engine/vector.h"

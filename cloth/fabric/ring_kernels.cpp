@@ -10,7 +10,7 @@
 #include "cloth/equation/row_loops-inl.h"
 #include "cloth/fabric/ring_lanes-inl.h"
 #include "cloth/fabric/spring_rows-inl.h"
-#include "cloth/fabric/whole_row-inl.h"
+#include "cloth/fabric/springs/whole_row-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -9,8 +9,8 @@
 #endif
 
 #include "cloth/equation/sparse/stencil-inl.h"
-#include "cloth/fabric/membrane.h"
-#include "cloth/fabric/rings.h"
+#include "cloth/fabric/springs/membrane.h"
+#include "cloth/fabric/springs/rings.h"
 #include "engine/simd/half_precision-inl.h"
 
 HWY_BEFORE_NAMESPACE();

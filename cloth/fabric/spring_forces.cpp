@@ -9,7 +9,7 @@
 #include "hwy/highway.h"
 
 #include "cloth/equation/grid/grid_windows-inl.h"
-#include "cloth/fabric/membrane.h"
+#include "cloth/fabric/springs/membrane.h"
 #include "cloth/fabric/spring_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();

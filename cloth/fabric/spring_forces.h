@@ -7,9 +7,9 @@
 
 #include "cloth/equation/implicit_system.h"
 #include "cloth/equation/step_equation.h"
-#include "cloth/fabric/rings.h"
-#include "cloth/fabric/spring_matrix.h"
-#include "cloth/fabric/spring_table.h"
+#include "cloth/fabric/springs/rings.h"
+#include "cloth/fabric/springs/spring_matrix.h"
+#include "cloth/fabric/springs/spring_table.h"
 
 namespace weft {
 

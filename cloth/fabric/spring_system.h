@@ -7,7 +7,7 @@
 
 #include "cloth/equation/implicit_system.h"
 #include "cloth/fabric/spring_forces.h"
-#include "cloth/fabric/spring_matrix.h"
+#include "cloth/fabric/springs/spring_matrix.h"
 
 namespace weft {
 

@@ -1,10 +1,10 @@
 #include "cloth/instance/make_solver.h"
 
 #include "cloth/methods/explicit/symplectic_euler.h"
+#include "cloth/methods/fibres/fibres.h"
 #include "cloth/methods/linear/chebyshev.h"
 #include "cloth/methods/linear/conjugate_gradient.h"
 #include "cloth/methods/linear/jacobi.h"
-#include "cloth/methods/positional/fibres.h"
 #include "cloth/methods/positional/xpbd.h"
 #include "cloth/solver/passes/multilevel.h"
 

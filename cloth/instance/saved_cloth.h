@@ -6,7 +6,7 @@
 
 #include "cloth/air/surface.h"
 #include "cloth/solver/levels/saved_levels.h"
-#include "collision/contact/pairs/contact_mesh.h"
+#include "collision/contact/mesh/contact_mesh.h"
 #include "collision/particles/rest_neighbours.h"
 
 namespace weft {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "cloth/state/state.h"
 #include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"

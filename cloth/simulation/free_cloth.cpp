@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "cloth/equation/seam_rows.h"
 #include "engine/small_matrices.h"
 

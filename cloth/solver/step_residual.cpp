@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "cloth/equation/contacts.h"
-#include "cloth/fabric/membrane.h"
-#include "cloth/fabric/springs.h"
+#include "cloth/fabric/springs/membrane.h"
+#include "cloth/fabric/springs/springs.h"
 
 namespace weft {
 

@@ -10,7 +10,7 @@
 #include "cloth/stages/collide_step.h"
 #include "cloth/stages/contact_step.h"
 #include "cloth/stages/report_contacts.h"
-#include "cloth/stages/seam_step.h"
+#include "cloth/stages/forces/seam_step.h"
 #include "cloth/stages/worn_step.h"
 #include "collision/search/patch_kernels.h"
 #include "collision/shapes/moving_shapes.h"

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "cloth/motion/advance.h"
-#include "cloth/stages/air_step.h"
-#include "cloth/stages/choose.h"
+#include "cloth/stages/forces/air_step.h"
+#include "cloth/step/choose.h"
 #include "cloth/stages/report_contacts.h"
 #include "cloth/stages/worn_step.h"
 

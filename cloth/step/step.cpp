@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/stages/choose.h"
+#include "cloth/step/choose.h"
 #include "cloth/stages/contact_step.h"
 #include "cloth/stages/report_contacts.h"
-#include "cloth/stages/seam_step.h"
-#include "cloth/stages/sleep.h"
+#include "cloth/stages/forces/seam_step.h"
+#include "cloth/step/sleep.h"
 #include "cloth/stages/step_bodies.h"
 #include "cloth/stages/worn_step.h"
 #include "cloth/step/cloth_step.h"

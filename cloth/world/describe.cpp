@@ -1,7 +1,7 @@
 // World::describe(): all that a World holds, as text or JSON.
 
 #include "cloth/record/world_calls.h"
-#include "cloth/world/outline.h"
+#include "cloth/world/drawing/outline.h"
 
 namespace weft {
 

@@ -13,7 +13,7 @@
 #include "cloth/settings/validate.h"
 #include "cloth/store/save.h"
 #include "cloth/world/coincident.h"
-#include "cloth/world/debug_draw.h"
+#include "cloth/world/drawing/debug_draw.h"
 #include "engine/error_text.h"
 #include "engine/memory/without_exceptions.h"
 #include "engine/state_hash.h"

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "collision/shapes/ranges.h"
+#include "collision/shapes/triangles/ranges.h"
 #include "engine/fields.h"
 #include "weft/collider.h"
 

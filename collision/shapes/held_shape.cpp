@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "collision/shapes/hull.h"
-#include "collision/shapes/ranges.h"
+#include "collision/shapes/triangles/ranges.h"
 #include "engine/error_text.h"
 #include "engine/small_matrices.h"
 

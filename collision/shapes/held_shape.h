@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "collision/shapes/outside_cells.h"
-#include "collision/shapes/triangle_tree.h"
+#include "collision/shapes/triangles/triangle_tree.h"
 #include "engine/vector.h"
 #include "weft/error.h"
 #include "weft/shapes.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "collision/shapes/ranges.h"
+#include "collision/shapes/triangles/ranges.h"
 #include "engine/error_text.h"
 
 namespace weft {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "collision/shapes/triangle_tree.h"
+#include "collision/shapes/triangles/triangle_tree.h"
 #include "weft/error.h"
 
 namespace weft {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/shapes/triangle_tree.h"
+#include "collision/shapes/triangles/triangle_tree.h"
 
 namespace weft {
 

@@ -14,7 +14,7 @@
 
 #include "collision/geometry/closest-inl.h"
 #include "collision/shapes/round_lanes-inl.h"
-#include "collision/shapes/triangle_tree.h"
+#include "collision/shapes/triangles/triangle_tree.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -19,7 +19,7 @@ constexpr float pole_radius = 0.025f;      // [m]
 class Flag final : public OneCloth {
   public:
     [[nodiscard]] WorldSettings world_settings() const override {
-        return {.wind = {.velocity = {6.0f, 0, 1.0f}, .gust = 0.5f}, .substeps = 4};
+        return {.wind = {.velocity = {6.0f, 0, 1.0f}, .gust = 0.5f}, .substeps = 2};
     }
 
     [[nodiscard]] Result<SceneContent> build(World& world, const SceneOptions& options) override {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cloth/equation/implicit_system.h"
-#include "cloth/fabric/membrane.h"
+#include "cloth/fabric/springs/membrane.h"
 #include "cloth/instance/cloth.h"
 #include "cloth/motion/survey.h"
 #include "cloth/simulation/simulation.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "collision/contact/pairs/surface_order.h"
+#include "collision/contact/mesh/surface_order.h"
 #include "tests/collision/contact/pair_list_reference.h"
 
 namespace weft::test {

@@ -1,6 +1,6 @@
 #include "cloth/methods/positional/xpbd.h"
 
-#include "cloth/fabric/membrane.h"
+#include "cloth/fabric/springs/membrane.h"
 
 namespace weft {
 

@@ -4,11 +4,11 @@
 #include <span>
 
 #include "cloth/equation/sparse/transfers.h"
-#include "cloth/solver/levels/coarse_matrix.h"
-#include "cloth/solver/levels/coarse_pairs.h"
-#include "cloth/solver/levels/coarsening.h"
-#include "cloth/solver/levels/component_solver.h"
-#include "cloth/solver/levels/galerkin.h"
+#include "cloth/solver/levels/coarse/coarse_matrix.h"
+#include "cloth/solver/levels/coarse/coarse_pairs.h"
+#include "cloth/solver/levels/coarse/coarsening.h"
+#include "cloth/solver/levels/coarse/component_solver.h"
+#include "cloth/solver/levels/coarse/galerkin.h"
 #include "engine/memory/scratch.h"
 #include "engine/threads/parallel_blocks.h"
 

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "cloth/equation/contacts.h"
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "cloth/equation/seam_rows.h"
 #include "engine/small_matrices.h"
 

@@ -7,52 +7,15 @@
 #include <utility>
 
 #include "cloth/bodies/body_coupling.h"
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "cloth/equation/sparse/vectors.h"
 #include "cloth/solver/passes/along_fillings.h"
 #include "cloth/solver/passes/along_seams.h"
+#include "cloth/solver/passes/small_system.h"
 
 namespace weft {
 
 namespace {
-
-/// The directions of a cycle. A later direction that the earlier ones nearly span gets coefficient 0.
-enum Direction : std::size_t { change, motion, correction, direction_count };
-using Coefficients = std::array<double, direction_count>;
-
-/// The linearised step over the space of its directions d: the energy 1/2 c . G c - b . c [J].
-struct SmallSystem {
-    std::array<Coefficients, direction_count> g{};  ///< d_k . W d_m; the lower triangle is read
-    Coefficients b{};                               ///< d_k . b
-};
-
-/// The c of the least energy, by L D L^T.
-Coefficients least_energy(const SmallSystem& s) {
-    constexpr double rounding = 1e-5;
-    std::array<Coefficients, direction_count> l{};
-    Coefficients d{}, y{}, c{};
-    for (std::size_t k = 0; k < direction_count; ++k) {
-        double left = s.g[k][k], right = s.b[k];
-        for (std::size_t m = 0; m < k; ++m) {
-            left -= l[k][m] * l[k][m] * d[m];
-            right -= l[k][m] * y[m];
-        }
-        if (!(s.g[k][k] > 0) || !(left > rounding * s.g[k][k])) continue;  // d, y and the column of l stay 0
-        d[k] = left;
-        y[k] = right;
-        for (std::size_t n = k + 1; n < direction_count; ++n) {
-            double sum = s.g[n][k];
-            for (std::size_t m = 0; m < k; ++m) sum -= l[n][m] * l[k][m] * d[m];
-            l[n][k] = sum / left;
-        }
-    }
-    for (std::size_t k = direction_count; k-- > 0;) {
-        if (d[k] == 0) continue;
-        c[k] = y[k] / d[k];
-        for (std::size_t n = k + 1; n < direction_count; ++n) c[k] -= l[n][k] * c[n];
-    }
-    return c;
-}
 
 /// The factor of four rows; w stays.
 FourRows four_rows_of(double factor) {
@@ -357,22 +320,10 @@ bool Passes::correct() {
     return std::isfinite(left_) && move(least_energy(small_));
 }
 
-// The residual of the last step is orthogonal to motion and change. Their products with W follow from those
-// of the directions that the step was made of.
+// The residual of the last step is orthogonal to motion and change.
 void Passes::subtract_last_step() {
     const Coefficients& c = last_;
-    Coefficients of_step{};  // the step's products with W times each direction
-    double step_step = 0;
-    for (std::size_t k = 0; k < direction_count; ++k) {
-        for (std::size_t m = 0; m < direction_count; ++m)
-            of_step[k] += c[m] * small_.g[std::max(k, m)][std::min(k, m)];
-        step_step += c[k] * of_step[k];
-    }
-    const double motion_motion = small_.g[motion][motion] + 2 * of_step[motion] + step_step;
-    small_ = {};
-    small_.g[change][change] = step_step;
-    small_.g[motion][change] = of_step[motion] + step_step;
-    small_.g[motion][motion] = motion_motion;
+    small_ = after_step(small_, c);
 
     const FourRows by_motion = four_rows_of(c[motion]), by_change = four_rows_of(c[change]),
                    by_correction = four_rows_of(c[correction]),

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "collision/contact/pairs/contact_mesh.h"
+#include "collision/contact/mesh/contact_mesh.h"
 #include "collision/contact/pairs/crossings.h"
 #include "collision/contact/pairs/list_fill.h"
 #include "collision/contact/pairs/pair_pool.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "cloth/fabric/membrane.h"
+#include "cloth/fabric/springs/membrane.h"
 #include "demo/study/reference/fine_time.h"
 #include "demo/study/run.h"
 

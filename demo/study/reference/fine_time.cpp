@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloth/fabric/membrane.h"
+#include "cloth/fabric/springs/membrane.h"
 #include "demo/study/stability/stability_causes.h"
 #include "demo/study/study_options.h"
 

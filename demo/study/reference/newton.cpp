@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/fabric/membrane.h"
+#include "cloth/fabric/springs/membrane.h"
 #include "cloth/solver/make_system.h"
 #include "engine/separating_direction.h"
 

@@ -12,7 +12,7 @@
 
 #include "cloth/contact/own_space.h"
 #include "cloth/stages/contact_step.h"
-#include "cloth/stages/sleep.h"
+#include "cloth/step/sleep.h"
 #include "crossing_count.h"
 #include "engine/bounds.h"
 #include "tests/cloth/fixtures.h"

@@ -1,6 +1,6 @@
 // Coarse rows of contact, against sums over pairs in double precision.
 
-#include "cloth/solver/levels/coarse_pairs.h"
+#include "cloth/solver/levels/coarse/coarse_pairs.h"
 
 #include <gtest/gtest.h>
 

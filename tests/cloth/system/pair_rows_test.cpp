@@ -1,6 +1,6 @@
 // Pairs as rows of the implicit equation, against a dense matrix in double precision.
 
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "collision/contact/response/leverage.h"
 
 #include <gtest/gtest.h>

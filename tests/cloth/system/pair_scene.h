@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cloth/equation/pair_rows.h"
+#include "cloth/equation/pairs/pair_rows.h"
 #include "tests/cloth/as_for_threads.h"
 #include "tests/laid_out.h"
 

@@ -1,6 +1,6 @@
 // Rings of springs, on meshes of every kind: also those whose edges have more than two triangles.
 
-#include "cloth/fabric/rings.h"
+#include "cloth/fabric/springs/rings.h"
 
 #include <gtest/gtest.h>
 

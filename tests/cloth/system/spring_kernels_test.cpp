@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "cloth/fabric/spring_system.h"
-#include "cloth/fabric/springs.h"
+#include "cloth/fabric/springs/springs.h"
 #include "engine/simd/symmetric3.h"
 #include "hwy/targets.h"
 #include "spring_scene.h"
