@@ -9,8 +9,8 @@
 #include "hwy/highway.h"
 
 #include "cloth/equation/grid/grid_windows-inl.h"
-#include "cloth/fabric/springs/membrane.h"
 #include "cloth/fabric/spring_rows-inl.h"
+#include "cloth/fabric/springs/membrane.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace weft::HWY_NAMESPACE {

@@ -5,9 +5,9 @@
 
 #include "cloth/motion/advance.h"
 #include "cloth/stages/forces/air_step.h"
-#include "cloth/step/choose.h"
 #include "cloth/stages/report_contacts.h"
 #include "cloth/stages/worn_step.h"
+#include "cloth/step/choose.h"
 
 namespace weft {
 

@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "cloth/stages/forces/seam_step.h"
-#include "cloth/step/sleep.h"
 #include "cloth/stages/step_bodies.h"
+#include "cloth/step/sleep.h"
 #include "collision/shapes/moving_shapes.h"
 #include "engine/bounds.h"
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include "cloth/step/choose.h"
 #include "cloth/stages/contact_step.h"
-#include "cloth/stages/report_contacts.h"
 #include "cloth/stages/forces/seam_step.h"
-#include "cloth/step/sleep.h"
+#include "cloth/stages/report_contacts.h"
 #include "cloth/stages/step_bodies.h"
 #include "cloth/stages/worn_step.h"
+#include "cloth/step/choose.h"
 #include "cloth/step/cloth_step.h"
+#include "cloth/step/sleep.h"
 #include "cloth/step/solve.h"
 #include "cloth/step/step_report.h"
 

@@ -56,7 +56,8 @@ int run(const ProfileOptions& options) {
     if (options.crossings)
         std::printf("%" PRIu64 " pairs of triangles cross at the worst\n", measured.worst_crossings);
     std::fputs(table.text(measured.particles).c_str(), stdout);
-    if (counts) print(*counts, 1.0 * measured.particles * (measured.frames - measured.asleep) * options.repeat);
+    if (counts)
+        print(*counts, 1.0 * measured.particles * (measured.frames - measured.asleep) * options.repeat);
     std::printf("hash: %016" PRIx64 "\n", measured.hash);
 
     if (!options.csv.empty())

@@ -3,9 +3,9 @@
 // (T.-Y. Kim, 2011): chains of constraints, each solved as a whole. Compliance is as in XPBD, so that
 // stiffness has its physical meaning.
 
-#include "cloth/methods/positional/displacements.h"
 #include "cloth/methods/fibres/fibre_kernels.h"
 #include "cloth/methods/fibres/fibre_sets.h"
+#include "cloth/methods/positional/displacements.h"
 #include "cloth/methods/positional/occurrences.h"
 #include "cloth/solver/solver.h"
 #include "cloth/solver/step_residual.h"

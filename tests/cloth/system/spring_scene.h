@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "cloth/fabric/springs/membrane.h"
 #include "cloth/fabric/spring_system.h"
+#include "cloth/fabric/springs/membrane.h"
 #include "cloth/fabric/springs/springs.h"
 #include "tests/cloth/fixtures.h"
 #include "tests/cloth/meshes.h"
