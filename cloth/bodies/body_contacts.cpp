@@ -9,6 +9,7 @@
 #include "collision/colliders/nearest_surface.h"
 #include "collision/geometry/surfaces.h"
 #include "collision/shapes/held_shape.h"
+#include "collision/shapes/moving_shapes.h"
 
 namespace weft {
 

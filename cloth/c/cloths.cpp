@@ -7,10 +7,6 @@ namespace weft::c {
 
 namespace {
 
-[[nodiscard]] ClothId id_of(WeftClothId id) {
-    return std::bit_cast<ClothId>(id);
-}
-
 [[nodiscard]] VertexStream stream_of(const WeftStream& stream) {
     if (stream.data == nullptr) return {};
     return {{static_cast<std::byte*>(stream.data), stream.bytes}, stream.stride};

@@ -1,6 +1,7 @@
 #pragma once
 // Objects behind the handles of the interface for C.
 
+#include <bit>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -41,6 +42,10 @@ struct WeftFixedStep {
 };
 
 namespace weft::c {
+
+[[nodiscard]] inline ClothId id_of(WeftClothId id) {
+    return std::bit_cast<ClothId>(id);
+}
 
 /// Calls act(world), which returns a Result<void>, if neither it nor the other pointers are null.
 template <class Handle, class Act>
