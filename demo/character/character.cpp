@@ -249,8 +249,7 @@ void Character::add_body(World& world) {
             if (auto open = world.add_shape(mesh)) {
                 garment_.notes.push_back(
                     "the body's skin is open, as at a neck or a wrist: it keeps cloth on the side where it "
-                    "starts, and "
-                    "pushes none out; close its holes where it is to do so");
+                    "starts, and pushes none out; close its holes where it is to do so");
                 shape = open;
             }
         if (!shape) throw Refusal({shape.error().code, "the body's skin: " + shape.error().message});

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "demo/character/garment/garment_mesh.h"
 #include "demo/character/garment/gltf_file.h"
 #include "demo/character/garment/obj_materials.h"
 #include "demo/character/garment/painted_maps.h"
@@ -45,12 +46,7 @@ float distance_to_way(const Vector3& point, const Vector3& from, const Vector3& 
 /// simulated.
 std::vector<float> spread(const SceneCloth& cloth, const std::vector<float>& values) {
     std::vector<float> spread;
-    for (const Vec3& p : cloth.fine.positions) {
-        const auto nearest = std::ranges::min_element(cloth.mesh.positions, {}, [&](const Vec3& q) {
-            return (to_vector(p) - to_vector(q)).squaredNorm();
-        });
-        spread.push_back(values[static_cast<std::size_t>(nearest - cloth.mesh.positions.begin())]);
-    }
+    for (const std::uint32_t v : nearest_vertices(cloth.mesh, cloth.fine)) spread.push_back(values[v]);
     return spread;
 }
 

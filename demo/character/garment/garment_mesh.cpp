@@ -143,6 +143,21 @@ void refine(Garment& garment) {
     garment.surface = refined(garment.surface);
 }
 
+std::vector<std::uint32_t> nearest_vertices(const Mesh& to, const Mesh& of) {
+    std::vector<std::uint32_t> nearest;
+    for (const Vec3& p : of.positions) {
+        float least = std::numeric_limits<float>::max();
+        std::uint32_t found = 0;
+        for (std::uint32_t v = 0; v < to.positions.size(); ++v) {
+            const float distance = (to_vector(to.positions[v]) - to_vector(p)).squaredNorm();
+            if (distance < least) found = v;
+            least = std::min(least, distance);
+        }
+        nearest.push_back(found);
+    }
+    return nearest;
+}
+
 float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
     if (mesh.pattern.empty()) return (to_vector(mesh.positions[a]) - to_vector(mesh.positions[b])).norm();
     return std::hypot(mesh.pattern[a].x - mesh.pattern[b].x, mesh.pattern[a].y - mesh.pattern[b].y);

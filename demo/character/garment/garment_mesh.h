@@ -16,6 +16,9 @@ void stand_upright(Mesh& mesh, float lowest);
 /// Cuts every triangle in four at the middles of its edges, in space and on the pattern.
 [[nodiscard]] Mesh refined(const Mesh& mesh);
 
+/// For each vertex of one mesh, the vertex of another that is nearest to it.
+[[nodiscard]] std::vector<std::uint32_t> nearest_vertices(const Mesh& to, const Mesh& of);
+
 /// Length of an edge at rest [m]: in the pattern, where the mesh has one.
 [[nodiscard]] float rest_length(const Mesh& mesh, std::uint32_t a, std::uint32_t b);
 

@@ -31,7 +31,7 @@ class SurfaceReader {
     void append(const GltfPart& part, const Vec3& default_colour, SurfaceParts& to) {
         const auto picture = part.picture ? picture_of(*part.picture) : nullptr;
         const auto number = static_cast<std::uint32_t>(to.parts.size());
-        to.parts.push_back(part_of(part.colour.value_or(picture ? Vec3{1, 1, 1} : default_colour), picture));
+        to.parts.push_back(part_of(part.colour, default_colour, picture));
         to.of_triangle.insert(to.of_triangle.end(), part.mesh.triangles.size(), number);
     }
 

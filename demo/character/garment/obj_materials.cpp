@@ -130,17 +130,16 @@ SurfaceParts read_mtl(const std::filesystem::path& obj, const ObjMaterials& mate
         if (!read) notes.push_back(read.error().message);
         return found->second = read ? *std::move(read) : nullptr;
     };
-    SurfaceParts surface{.parts = {part_of(default_colour)}, .of_triangle = materials.of_triangle};
+    SurfaceParts surface{.parts = {part_of({}, default_colour)}, .of_triangle = materials.of_triangle};
     for (const std::string& name : materials.names) {
         const auto material = known->find(name);
         if (material == known->end()) {
             notes.push_back(library.string() + " has no material " + name);
-            surface.parts.push_back(part_of(default_colour));
+            surface.parts.push_back(part_of({}, default_colour));
             continue;
         }
-        const auto picture = picture_of(material->second.picture);
-        surface.parts.push_back(
-            part_of(material->second.colour.value_or(picture ? Vec3{1, 1, 1} : default_colour), picture));
+        const MtlMaterial& of = material->second;
+        surface.parts.push_back(part_of(of.colour, default_colour, picture_of(of.picture)));
     }
     return surface;
 }

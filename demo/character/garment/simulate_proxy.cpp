@@ -1,34 +1,15 @@
 // A garment that is simulated by a coarser mesh than is drawn.
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "demo/character/garment/garment.h"
+#include "demo/character/garment/garment_mesh.h"
 #include "engine/vector.h"
 #include "weft/proxy.h"
 
 namespace weft::demo {
-namespace {
-
-std::vector<std::uint32_t> nearest_vertices(const Mesh& to, const Mesh& of) {
-    std::vector<std::uint32_t> nearest;
-    for (const Vec3& p : of.positions) {
-        float least = std::numeric_limits<float>::max();
-        std::uint32_t found = 0;
-        for (std::uint32_t v = 0; v < to.positions.size(); ++v) {
-            const float distance = (to_vector(to.positions[v]) - to_vector(p)).squaredNorm();
-            if (distance < least) found = v;
-            least = std::min(least, distance);
-        }
-        nearest.push_back(found);
-    }
-    return nearest;
-}
-
-}  // namespace
-
 Result<std::vector<std::uint32_t>> simulate_proxy(Garment& garment, std::uint32_t particles) {
     ProxyReport made;
     auto proxy = make_proxy(garment.mesh, {.particles = particles}, &made);

@@ -17,7 +17,9 @@
 
 namespace weft::demo {
 
-render::ClothPart part_of(const Vec3& colour, std::shared_ptr<const render::Image> picture) {
+render::ClothPart part_of(const std::optional<Vec3>& own, const Vec3& default_colour,
+                          std::shared_ptr<const render::Image> picture) {
+    const Vec3 colour = own.value_or(picture != nullptr ? Vec3{1, 1, 1} : default_colour);
     const auto on_back = [printed = picture != nullptr](float part) {
         return printed ? 0.85f * part : 0.5f * part + 0.25f;
     };

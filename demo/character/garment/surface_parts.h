@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,14 +14,15 @@
 
 namespace weft::demo {
 
-/// What a drawn mesh has in place of one look's colours; for drawing only.
+/// The materials of a mesh, which is drawn by them in place of one look's colours; its motion knows none.
 struct SurfaceParts {
     std::vector<render::ClothPart> parts;    ///< empty: the look's colours
     std::vector<std::uint32_t> of_triangle;  ///< indices into `parts`, one per triangle
 };
 
-/// The look of a material of this colour: its back is paler, and a picture shows on both sides.
-[[nodiscard]] render::ClothPart part_of(const Vec3& colour,
+/// The look of a material: its back is paler, and a picture shows on both sides. Without a colour it has the
+/// picture's own, or else the default.
+[[nodiscard]] render::ClothPart part_of(const std::optional<Vec3>& colour, const Vec3& default_colour,
                                         std::shared_ptr<const render::Image> picture = {});
 
 /// The parts of a mesh each of whose triangles was cut in four.

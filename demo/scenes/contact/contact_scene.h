@@ -89,7 +89,7 @@ struct StageView {
     float nearer = 1;  ///< factor by which the camera is nearer than for all of it
     float lower = 0;   ///< [m]
     int check_steps = 90;
-    /// Of the fabric [s] and by the air [1/s], where pleats are to come to rest; 0: the scene's own.
+    /// Damping of the fabric [s] and by the air [1/s] that a scene needs for its pleats to rest; 0: its own.
     float damping = 0, air_damping = 0;
 };
 /// A scene of contact as a scene of the demo. Precondition: there is one of that name.
